@@ -1,0 +1,143 @@
+#ifndef catena_conformation_conformation_solver_h
+#define catena_conformation_conformation_solver_h
+
+#include <catena/base/csr_access.h>
+#include <catena/base/time_history.h>
+#include <catena/base/types.h>
+#include <catena/mesh/moving_mesh.h>
+#include <catena/rheology/giesekus.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace Catena
+{
+  /**
+   * Controls of the linear solver of the log-conformation.
+   */
+  struct ConformationSolverParameters
+  {
+    /// residual against the right-hand side
+    double       tolerance      = 1e-9;
+    unsigned int max_iterations = 200;
+
+    void
+    declare(dealii::ParameterHandler &parameters);
+
+    /// @throws InputError
+    void
+    check() const;
+  };
+
+
+
+  /**
+   * One step of the log-conformation s = log(c) on a moving mesh
+   * (Hulsen, Fattal & Kupferman, J. Non-Newtonian Fluid Mech. 127 (2005) 27),
+   *
+   *   (a0 s + a1 s^n + a2 s^(n-1))/dt + w.grad s = g(L, s^),
+   *
+   * with w = u - u_mesh, L the gradient of the new velocity, s^ the
+   * extrapolation from the last two levels, and g the rate of
+   * Giesekus::log_conformation_rate(). P1 elements; streamline-upwind
+   * Petrov-Galerkin test functions
+   *
+   *   v + tau w.grad v,  tau = ((a0/dt)^2 + (2|w|/h)^2)^(-1/2),
+   *
+   * h being the element length along w. The operator is the same for all
+   * components, so those with the same signs on identified planes share one
+   * matrix and one preconditioner.
+   */
+  template <int dim>
+  class ConformationSolver
+  {
+  public:
+    static constexpr unsigned int n_components = n_symmetric_components(dim);
+
+    /// Source added to g at a point, for tests with manufactured solutions.
+    using Source = std::function<dealii::SymmetricTensor<2, dim>(
+      const dealii::Point<dim> &)>;
+
+    ConformationSolver(const Giesekus<dim>                &model,
+                       const ConformationSolverParameters &parameters);
+
+    /// A new mesh, kept by reference.
+    void
+    reinit(const MovingMesh<dim> &mesh);
+
+    /**
+     * Solve for the new level at the mesh's current positions.
+     *
+     * @param solution components in the order of deal.II's SymmetricTensor;
+     * its value is the first guess
+     * @param old, older s at t^n and t^(n-1)
+     * @param velocity, mesh_velocity at the new instant, P2
+     * @return the largest number of iterations of a component
+     * @throws SolverError
+     */
+    unsigned int
+    solve(std::vector<VectorType>       &solution,
+          const std::vector<VectorType> &old,
+          const std::vector<VectorType> &older,
+          const VectorType              &velocity,
+          const VectorType              &mesh_velocity,
+          const TimeStep                &step,
+          const Source                  &source = Source());
+
+  private:
+    /// Components with the same factors at all vertices (0: value 0).
+    struct Group
+    {
+      std::vector<unsigned int>              components;
+      std::vector<signed char>               factors;
+      dealii::TrilinosWrappers::SparseMatrix matrix;
+      CsrAccess                              access;
+      std::vector<VectorType>                rhs;
+    };
+
+    const Giesekus<dim>                 model;
+    const ConformationSolverParameters  parameters;
+    const MovingMesh<dim>              *mesh = nullptr;
+    std::vector<std::unique_ptr<Group>> groups;
+    std::vector<unsigned int>           masters;
+
+    signed char
+    factor(const unsigned int vertex, const unsigned int component) const;
+
+    void
+    assemble(const std::vector<VectorType> &old,
+             const std::vector<VectorType> &older,
+             const VectorType              &velocity,
+             const VectorType              &mesh_velocity,
+             const TimeStep                &step,
+             const Source                  &source);
+
+    unsigned int
+    solve_group(const Group &group, std::vector<VectorType> &solution) const;
+  };
+
+
+
+  /**
+   * How stretched a conformation field is, over all vertices.
+   */
+  struct ConformationExtremes
+  {
+    double smallest_eigenvalue = 1.; ///< of c
+    double largest_trace       = 0.; ///< tr(c - I) = tr(tau)/G
+  };
+
+  /**
+   * @throws SolverError if a value is not finite
+   */
+  template <int dim>
+  ConformationExtremes
+  conformation_extremes(const MovingMesh<dim>         &mesh,
+                        const std::vector<VectorType> &log_conformation);
+} // namespace Catena
+
+#endif

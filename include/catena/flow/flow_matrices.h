@@ -1,0 +1,139 @@
+#ifndef catena_flow_flow_matrices_h
+#define catena_flow_flow_matrices_h
+
+#include <catena/base/csr_access.h>
+#include <catena/base/types.h>
+#include <catena/flow/node_couplings.h>
+#include <catena/flow/stress_model.h>
+#include <catena/particles/rigid_bodies.h>
+
+#include <deal.II/base/function.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace Catena
+{
+  /**
+   * Matrices and right-hand side of the balance of momentum and mass for the
+   * disturbance velocity u', the pressure p and the rigid-body unknowns r:
+   *
+   *   int (L' H + H L'^T) : grad v - p div v  =
+   *                         F.v_r - int (L_0 H + H L_0^T + T) : grad v,
+   *   -int q div u' = 0,
+   *
+   * with L_0 the gradient of the imposed flow and v = v_r the rigid motion on
+   * particles (constraints of velocity_constraints() condensed). Block by
+   * block,
+   *
+   *   [ A    B^T  C ] [u']   [f]
+   *   [ B    0    D ] [p ] = [g]
+   *   [ R    D^T  S ] [r ]   [h].
+   *
+   * Rows are assembled by the rank that owns them, no rank waits for another.
+   */
+  template <int dim>
+  class FlowMatrices
+  {
+  public:
+    /**
+     * Make sparsity patterns; valid as long as the mesh and which unknowns
+     * are constrained do not change.
+     */
+    FlowMatrices(const MovingMesh<dim>  &mesh,
+                 const RigidBodies<dim> &bodies,
+                 const std::vector<NodeCoupling<dim>> &couplings);
+
+    /**
+     * Assemble everything at the mesh's current positions.
+     *
+     * @param imposed_gradient gradient L_0 of the flow the disturbance is
+     * counted against
+     * @param with_preconditioner also the component matrices and the scaled
+     * pressure mass matrix
+     * @param body_force optional force per volume, for tests
+     */
+    void
+    assemble(const std::vector<NodeCoupling<dim>> &couplings,
+             const StressModel<dim>               &stress,
+             const dealii::Tensor<2, dim>         &imposed_gradient,
+             const bool                            with_preconditioner,
+             const dealii::Function<dim>          *body_force = nullptr);
+
+    unsigned int
+    n_rigid() const
+    {
+      return rigid_rigid.m();
+    }
+
+    /// Sparse blocks A, B^T, B, C, R^T, D.
+    dealii::TrilinosWrappers::SparseMatrix velocity, gradient, divergence,
+      velocity_rigid, rigid_velocity_transposed, pressure_rigid;
+    dealii::FullMatrix<double> rigid_rigid;
+
+    /// Right-hand sides f, g; h is the same on every rank.
+    VectorType          velocity_rhs, pressure_rhs;
+    std::vector<double> rigid_rhs;
+
+    /// int q / viscosity, the Schur complement's approximation, and int q.
+    dealii::TrilinosWrappers::SparseMatrix pressure_mass;
+    VectorType                             vertex_volumes;
+
+    /**
+     * Scalar operators int grad v . (H grad u) on the nodes, one for each
+     * group of velocity components with the same constraints.
+     */
+    struct ComponentMatrix
+    {
+      std::vector<unsigned int>              components;
+      dealii::TrilinosWrappers::SparseMatrix matrix;
+      CsrAccess                              access;
+    };
+    std::vector<std::unique_ptr<ComponentMatrix>> component_matrices;
+
+  private:
+    const MovingMesh<dim>  &mesh;
+    const RigidBodies<dim> &bodies;
+    dealii::IndexSet        rigid_owned, rigid_relevant;
+
+    CsrAccess velocity_access, gradient_access, divergence_access,
+      velocity_rigid_access, rigid_velocity_access, pressure_rigid_access,
+      mass_access;
+
+    struct Element;
+
+    unsigned int
+    pressure_master(const unsigned int vertex) const;
+
+    void
+    make_patterns(const std::vector<NodeCoupling<dim>> &couplings);
+
+    void
+    make_component_matrices(const std::vector<NodeCoupling<dim>> &couplings,
+                            const dealii::DynamicSparsityPattern &nodes);
+
+    void
+    add_velocity_block(const Element &element);
+
+    void
+    add_pressure_blocks(const Element &element);
+
+    void
+    add_rigid_blocks(const Element &element);
+
+    void
+    add_right_hand_side(const Element &element);
+
+    void
+    add_preconditioner(const Element &element);
+
+    void
+    finish(const std::vector<NodeCoupling<dim>> &couplings,
+           const bool                            with_preconditioner);
+  };
+} // namespace Catena
+
+#endif

@@ -1,0 +1,107 @@
+#ifndef catena_flow_flow_preconditioner_h
+#define catena_flow_flow_preconditioner_h
+
+#include <catena/flow/flow_matrices.h>
+
+#include <deal.II/lac/diagonal_matrix.h>
+#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/trilinos_precondition.h>
+
+#include <memory>
+#include <vector>
+
+namespace Catena
+{
+  /**
+   * Contacts as rows and columns of the rigid-body unknowns r: the gap rates
+   * rates r = given, and the forces F_r on the bodies through @p forces.
+   */
+  struct ContactBlocks
+  {
+    dealii::FullMatrix<double> rates;  ///< contact by unknown
+    dealii::FullMatrix<double> forces; ///< unknown by contact
+    std::vector<double>        given;  ///< prescribed gap rates
+
+    unsigned int
+    n_contacts() const
+    {
+      return given.size();
+    }
+  };
+
+
+
+  /**
+   * Block upper triangular preconditioner of the system of FlowMatrices,
+   *
+   *   p = -M^-1 g,   (u, r, F_r) = K^-1 (f - B^T p, h - D^T p, ...),
+   *
+   * with M the pressure mass matrix scaled by the fluidity (four Chebyshev
+   * sweeps). K^-1 is one algebraic multigrid cycle on the scalar operator of
+   * each velocity component, which includes the tensor viscosity; the
+   * rigid-body unknowns, whose rows are too dense for multigrid, and the
+   * contact forces are eliminated by their small Schur complement.
+   *
+   * The matrices are copied where they change from step to step: it can be
+   * kept for many steps.
+   */
+  template <int dim>
+  class FlowPreconditioner
+  {
+  public:
+    /// Set up from newly assembled matrices.
+    void
+    initialize(const FlowMatrices<dim> &matrices);
+
+    /// Take over the contacts; cheap.
+    void
+    set_contacts(const ContactBlocks &contacts);
+
+    void
+    vmult(BlockVectorType &dst, const BlockVectorType &src) const;
+
+  private:
+    struct Component
+    {
+      std::vector<unsigned int>                                components;
+      std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> multigrid;
+    };
+
+    using MassInverse =
+      dealii::PreconditionChebyshev<dealii::TrilinosWrappers::SparseMatrix,
+                                    VectorType,
+                                    dealii::DiagonalMatrix<VectorType>>;
+
+    const FlowMatrices<dim> *matrices = nullptr;
+    std::vector<Component>   velocity_components;
+    MassInverse              mass_inverse;
+
+    /// A^-1 C, approximately, and the Schur complement S - R A^-1 C
+    std::vector<VectorType>    rigid_responses;
+    dealii::FullMatrix<double> rigid_schur, small_inverse;
+
+    mutable VectorType node_src, node_dst, velocity_src, pressure_dst,
+      pressure_src, rigid_src;
+
+    void
+    solve_velocity(VectorType &dst, const VectorType &src) const;
+
+    void
+    initialize_mass();
+
+    void
+    initialize_rigid();
+  };
+
+
+
+  /// The values of a block that rank 0 owns, on every rank.
+  std::vector<double>
+  replicate(const VectorType &block);
+
+  /// Set a block that rank 0 owns.
+  void
+  set_replicated(VectorType &block, const std::vector<double> &values);
+} // namespace Catena
+
+#endif

@@ -1,0 +1,152 @@
+#ifndef catena_flow_flow_solver_h
+#define catena_flow_flow_solver_h
+
+#include <catena/flow/flow_matrices.h>
+#include <catena/flow/flow_preconditioner.h>
+#include <catena/particles/contacts.h>
+#include <catena/scene/configuration.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <memory>
+#include <vector>
+
+namespace Catena
+{
+  /**
+   * Controls of the linear solver of momentum and mass.
+   */
+  struct FlowSolverParameters
+  {
+    /// residual against the right-hand side of the disturbance problem
+    double       tolerance      = 1e-7;
+    unsigned int max_iterations = 300;
+
+    void
+    declare(dealii::ParameterHandler &parameters);
+
+    /// @throws InputError
+    void
+    check() const;
+  };
+
+
+
+  /**
+   * Velocity and pressure of an instant with the motions of the particles and
+   * the forces in their contacts. Units a gamma, eta0 gamma, and
+   * eta0 gamma a^2 for forces.
+   */
+  template <int dim>
+  struct FlowFields
+  {
+    VectorType                    velocity;
+    VectorType                    pressure;
+    std::vector<RigidMotion<dim>> motions;
+    std::vector<double>           contact_forces;
+  };
+
+
+
+  /**
+   * Solves the balance of momentum and mass of the fluid together with that
+   * of the particles,
+   *
+   *   force and torque of the fluid + F_external + F_r = 0,
+   *
+   * for the disturbance of the imposed shear flow, by FGMRES with
+   * FlowPreconditioner. The matrices' sparsity is kept as long as the mesh is,
+   * the preconditioner until iterations have grown by half.
+   */
+  template <int dim>
+  class FlowSolver
+  {
+  public:
+    explicit FlowSolver(const FlowSolverParameters &parameters);
+
+    /**
+     * A new mesh, or other particles held in place. References are kept.
+     */
+    void
+    reinit(const MovingMesh<dim>    &mesh,
+           const RigidBodies<dim>   &bodies,
+           const Configuration<dim> &configuration,
+           const bool                held_in_place);
+
+    /**
+     * Assemble at the mesh's current positions, and make a new preconditioner
+     * if it is due.
+     */
+    void
+    assemble(const Configuration<dim>    &configuration,
+             const StressModel<dim>      &stress,
+             const dealii::Function<dim> *body_force = nullptr);
+
+    /**
+     * Solve with @p fields as first guess.
+     *
+     * @param contacts pairs whose gap is held
+     * @param external_forces on the whole particles, by rigid-body unknown
+     * @return number of iterations
+     * @throws SolverError if it fails also with a fresh preconditioner
+     */
+    unsigned int
+    solve(FlowFields<dim>                 &fields,
+          const std::vector<Contact<dim>> &contacts,
+          const std::vector<double>       &external_forces);
+
+    /// Number of velocity, pressure, rigid-body unknowns together.
+    dealii::types::global_dof_index
+    n_unknowns() const;
+
+    const dealii::AffineConstraints<double> &
+    constraints() const
+    {
+      return velocity_lines;
+    }
+
+  private:
+    const FlowSolverParameters   parameters;
+    const MovingMesh<dim>       *mesh        = nullptr;
+    const RigidBodies<dim>      *bodies      = nullptr;
+    const StressModel<dim>      *last_stress = nullptr;
+    const dealii::Function<dim> *last_force  = nullptr;
+    Configuration<dim>           configuration;
+    bool                         held = false;
+
+    dealii::AffineConstraints<double>      velocity_lines;
+    std::vector<NodeCoupling<dim>>         couplings;
+    std::unique_ptr<FlowMatrices<dim>>     matrices;
+    FlowPreconditioner<dim>                preconditioner;
+    bool         preconditioner_is_due = true, preconditioner_is_fresh = false;
+    unsigned int fresh_iterations = 0;
+
+    void
+    assemble_matrices();
+
+    ContactBlocks
+    contact_blocks(const std::vector<Contact<dim>> &contacts) const;
+
+    BlockVectorType
+    make_vector(const unsigned int n_contacts) const;
+
+    BlockVectorType
+    right_hand_side(const ContactBlocks       &contacts,
+                    const std::vector<double> &external_forces) const;
+
+    BlockVectorType
+    first_guess(const FlowFields<dim> &fields,
+                const unsigned int     n_contacts) const;
+
+    unsigned int
+    iterate(BlockVectorType       &solution,
+            const BlockVectorType &rhs,
+            const ContactBlocks   &contacts);
+
+    void
+    extract(const BlockVectorType &solution, FlowFields<dim> &fields) const;
+  };
+} // namespace Catena
+
+#endif

@@ -1,0 +1,51 @@
+#ifndef catena_flow_node_couplings_h
+#define catena_flow_node_couplings_h
+
+#include <catena/mesh/moving_mesh.h>
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace Catena
+{
+  /**
+   * The constraints of the velocity read node by node, as assembly needs
+   * them: a node stands for itself or its master, each component with a
+   * factor (0: no unknown), or it belongs to a particle.
+   */
+  template <int dim>
+  struct NodeCoupling
+  {
+    unsigned int            master;
+    std::array<double, dim> factors;
+    bool                    rigid = false;
+
+    /// known part of the velocity
+    std::array<double, dim> known;
+
+    /// rigid-body unknowns and their factors, of a node on a particle
+    std::array<std::vector<std::pair<unsigned int, double>>, dim> motions;
+
+    bool
+    has_unknown() const
+    {
+      for (const double f : factors)
+        if (f != 0.)
+          return true;
+      return false;
+    }
+  };
+
+  /**
+   * The coupling of every relevant node, indexed by node.
+   */
+  template <int dim>
+  std::vector<NodeCoupling<dim>>
+  node_couplings(const MovingMesh<dim>                   &mesh,
+                 const dealii::AffineConstraints<double> &constraints);
+} // namespace Catena
+
+#endif

@@ -1,0 +1,27 @@
+#ifndef catena_flow_particle_forces_h
+#define catena_flow_particle_forces_h
+
+#include <catena/flow/flow_solver.h>
+
+namespace Catena
+{
+  /**
+   * Force and torque that must act on each whole particle from outside to
+   * balance the fluid, by rigid-body unknown: the sums of the nodal reactions
+   *
+   *   int (sigma : grad(phi_i e_d)) over the fluid
+   *
+   * at the nodes on its surface, each times the velocity of the node for a
+   * unit motion, and divided by the meshed share. Zero, to the tolerance of
+   * the solver, for a free particle without contacts.
+   */
+  template <int dim>
+  std::vector<double>
+  particle_forces(const MovingMesh<dim>    &mesh,
+                  const RigidBodies<dim>   &bodies,
+                  const Configuration<dim> &configuration,
+                  const StressModel<dim>   &stress,
+                  const FlowFields<dim>    &fields);
+} // namespace Catena
+
+#endif

@@ -1,0 +1,86 @@
+#ifndef catena_mesh_boundary_snapper_h
+#define catena_mesh_boundary_snapper_h
+
+#include <catena/mesh/mesher.h>
+#include <catena/scene/scene.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace Catena
+{
+  /// The faces of a mesh that have a boundary id.
+  template <int dim>
+  auto &
+  boundary_faces(MeshDescription<dim> &mesh)
+  {
+    if constexpr (dim == 3)
+      return mesh.boundary.boundary_quads;
+    else
+      return mesh.boundary.boundary_lines;
+  }
+
+
+
+  /// The vertices of a face in ascending order, to find it by.
+  template <int dim>
+  std::array<unsigned int, dim>
+  sorted_vertices(const std::vector<unsigned int> &vertices)
+  {
+    std::array<unsigned int, dim> sorted;
+    std::copy(vertices.begin(), vertices.end(), sorted.begin());
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+  }
+
+
+
+  /**
+   * Puts the nodes on the boundary exactly where they belong: on planes, on
+   * spheres, and on the images of the nodes they are identified with.
+   */
+  template <int dim>
+  class BoundarySnapper
+  {
+  public:
+    BoundarySnapper(const Scene<dim> &scene, MeshDescription<dim> &mesh);
+
+    void
+    snap_to_planes();
+
+    void
+    snap_to_particles();
+
+    /// @throws MeshError if nodes or faces do not match.
+    void
+    match(const Identification<dim> &identification);
+
+  private:
+    using Face = std::array<unsigned int, dim>;
+
+    /// Move of the image of a face along x by which it is in the block.
+    double
+    period_of(const Identification<dim> &identification,
+              const Face                &face) const;
+
+    unsigned int
+    find(const dealii::Point<dim> &p) const;
+
+    using Cell = std::array<long, dim>;
+
+    Cell
+    grid_cell(const dealii::Point<dim> &p) const;
+
+    const Scene<dim>     &scene;
+    MeshDescription<dim> &mesh;
+
+    std::vector<std::vector<dealii::types::boundary_id>> ids;
+    std::map<dealii::types::boundary_id, std::set<Face>> faces;
+    std::map<Cell, std::vector<unsigned int>>            grid;
+  };
+} // namespace Catena
+
+#endif

@@ -1,0 +1,82 @@
+#ifndef catena_mesh_cell_values_h
+#define catena_mesh_cell_values_h
+
+#include <catena/base/types.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/quadrature.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <vector>
+
+namespace Catena
+{
+  /**
+   * Values and gradients of the P2 and P1 shape functions at the quadrature
+   * points of one quadratic simplex, for the assembly loops.
+   *
+   * Straight cells are integrated with a rule exact for degree 2 (exact for
+   * the viscous and the divergence terms), curved ones with degree 5. Pass a
+   * rule of your own to integrate data of higher degree.
+   */
+  template <int dim>
+  class CellValues
+  {
+  public:
+    static constexpr unsigned int n_nodes    = n_quadratic_nodes(dim);
+    static constexpr unsigned int n_vertices = n_linear_nodes(dim);
+
+    using NodePositions = std::array<dealii::Point<dim>, n_nodes>;
+
+    /// What is known at one quadrature point.
+    struct PointValues
+    {
+      double                                          JxW;
+      std::array<double, n_nodes>                     quadratic;
+      std::array<dealii::Tensor<1, dim>, n_nodes>     quadratic_gradient;
+      std::array<double, n_vertices>                  linear;
+      std::array<dealii::Tensor<1, dim>, n_vertices>  linear_gradient;
+    };
+
+    CellValues();
+
+    explicit CellValues(const dealii::Quadrature<dim> &quadrature);
+
+    /**
+     * Move to a cell. @p curved tells whether its mid-nodes may lie off the
+     * middle of their edges.
+     */
+    void
+    reinit(const NodePositions &positions, const bool curved);
+
+    const std::vector<PointValues> &
+    points() const
+    {
+      return *active;
+    }
+
+  private:
+    /// Shape functions on the reference simplex at one point.
+    struct ReferencePoint
+    {
+      double                                         weight;
+      std::array<dealii::Tensor<1, dim>, n_nodes>    quadratic_gradient;
+      std::array<dealii::Tensor<1, dim>, n_vertices> linear_gradient;
+    };
+
+    struct Rule
+    {
+      std::vector<ReferencePoint> reference;
+      std::vector<PointValues>    values;
+
+      void
+      tabulate(const dealii::Quadrature<dim> &quadrature);
+    };
+
+    Rule                      straight_rule, curved_rule;
+    std::vector<PointValues> *active = nullptr;
+  };
+} // namespace Catena
+
+#endif

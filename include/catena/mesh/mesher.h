@@ -1,0 +1,70 @@
+#ifndef catena_mesh_mesher_h
+#define catena_mesh_mesher_h
+
+#include <catena/scene/scene.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/grid/tria_description.h>
+
+#include <vector>
+
+namespace Catena
+{
+  /**
+   * Resolution and quality of the meshes. Lengths in particle radii a.
+   */
+  struct MeshParameters
+  {
+    /// n_part: elements along the equator of a particle, h = 2 pi a / n_part
+    unsigned int elements_on_equator = 64;
+    /// n_min: elements across a gap between particles
+    unsigned int elements_across_gap = 2;
+    /// growth of the element size per unit of distance from a particle at
+    /// n_part = 64; the actual growth goes with n_part^(-2/3), at most 0.5
+    double growth = 0.23;
+    /// largest element size
+    double maximal_size = 6.;
+    /// smallest quality (radius ratio, 1 for the regular simplex) accepted
+    double minimal_quality = 0.1;
+
+    void
+    declare(dealii::ParameterHandler &parameters);
+
+    /// @throws InputError
+    void
+    check() const;
+  };
+
+  /**
+   * A straight-sided mesh as lists of vertices and cells, with the boundary
+   * ids of BoundaryIds.
+   */
+  template <int dim>
+  struct MeshDescription
+  {
+    std::vector<dealii::Point<dim>>    vertices;
+    std::vector<dealii::CellData<dim>> cells;
+    dealii::SubCellData                boundary;
+
+    /// smallest radius ratio of all cells
+    double quality = 0.;
+    /// how many meshes were made until one was accepted
+    unsigned int attempts = 0;
+  };
+
+  /**
+   * Mesh the scene: nodes on identified planes match one to one, the vertices
+   * on particles lie on the spheres. The same input gives the same mesh.
+   *
+   * A mesh whose quality is below the minimum is made again with defined
+   * changes (sizes, then algorithm); cells are ordered along a space-filling
+   * curve.
+   *
+   * @throws MeshError if no attempt gives an acceptable mesh.
+   */
+  template <int dim>
+  MeshDescription<dim>
+  generate_mesh(const Scene<dim> &scene, const MeshParameters &parameters);
+} // namespace Catena
+
+#endif

@@ -1,0 +1,93 @@
+#ifndef catena_output_trajectory_table_h
+#define catena_output_trajectory_table_h
+
+#include <deal.II/base/mpi.h>
+
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace Catena
+{
+  /**
+   * A table of comma-separated values that grows by one row a time step.
+   *
+   * The columns are declared once, with their units; the first line of the
+   * file names them:
+   * @code
+   * strain,dt,theta [deg],distance 0-1 [a]
+   * @endcode
+   * Each row is handed to the operating system as soon as it is complete, so
+   * that a run that is killed loses no finished row. Values have ten
+   * significant digits.
+   *
+   * Process 0 of the communicator writes; the others may declare columns and
+   * add values as well, and take part in opening the file and in write_row().
+   */
+  class TrajectoryTable
+  {
+  public:
+    /**
+     * Open @p path, replacing what it held. Collective.
+     *
+     * @throws Error if the file cannot be opened.
+     */
+    TrajectoryTable(const std::string &path, const MPI_Comm communicator);
+
+    /**
+     * Add a column at the right. All columns are declared before the first
+     * row is written; a name may be used once and cannot contain a comma or a
+     * line break. Quantities without dimension have no @p unit.
+     */
+    void
+    declare(const std::string &name, const std::string &unit = "");
+
+    /**
+     * Set the value of column @p name in the present row.
+     *
+     * @throws dealii::ExcMessage if there is no such column or it has a value
+     *   already.
+     */
+    void
+    add(const std::string &name, const double value);
+
+    /**
+     * Write the present row and begin the next. Collective.
+     *
+     * @throws Error on all processes if the row cannot be written (disk full).
+     * @throws dealii::ExcMessage if a column has no value.
+     */
+    void
+    write_row();
+
+    /**
+     * Number of rows written.
+     */
+    unsigned int
+    n_rows() const;
+
+  private:
+    struct Column
+    {
+      std::string heading;
+      double      value  = 0.;
+      bool        is_set = false;
+    };
+
+    const std::string                   path;
+    const MPI_Comm                      communicator;
+    std::ofstream                       file;
+    std::vector<Column>                 columns;
+    std::map<std::string, unsigned int> index_of;
+    unsigned int                        rows_written = 0;
+
+    /**
+     * Throw on all processes if process 0 found the file in a bad state.
+     */
+    void
+    check_file(const std::string &what_failed) const;
+  };
+} // namespace Catena
+
+#endif

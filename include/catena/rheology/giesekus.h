@@ -1,0 +1,257 @@
+#ifndef catena_rheology_giesekus_h
+#define catena_rheology_giesekus_h
+
+#include <catena/rheology/spectral.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <cmath>
+
+namespace Catena
+{
+  /**
+   * The dimensionless groups of a Giesekus fluid. With lengths in a, rates in
+   * gamma and viscosities in eta0 = eta_s + eta_p they fix all of its
+   * material constants.
+   */
+  struct GiesekusParameters
+  {
+    /// Wi = lambda gamma, the relaxation time in units of 1/gamma; Wi > 0.
+    double weissenberg_number = 1.;
+
+    /// alpha, 0 <= alpha <= 1; alpha = 0 is the Oldroyd-B fluid.
+    double mobility_parameter = 0.1;
+
+    /// beta = eta_s/eta0, 0 <= beta < 1; beta = 0 is a fluid without solvent.
+    double solvent_viscosity_ratio = 0.1;
+
+    /**
+     * Declare the entries "Weissenberg number", "Mobility parameter" and
+     * "Solvent viscosity ratio" in the current section of @p prm. Parsing
+     * @p prm fills this object, which must outlive @p prm.
+     */
+    void
+    declare(dealii::ParameterHandler &prm);
+
+    /**
+     * @throws InputError if a parameter is outside its range.
+     */
+    void
+    check() const;
+  };
+
+  /**
+   * The Giesekus model (H. Giesekus, J. Non-Newtonian Fluid Mech. 11 (1982)
+   * 69) at a material point, for the conformation c and for its logarithm
+   * s = log(c). The polymer stress is tau = G (c - I) and
+   * @f[
+   *   \frac{Dc}{Dt} = L c + c L^T + f(c), \qquad
+   *   f(c) = -\frac{1}{\lambda} \left[ (c - I) + \alpha (c - I)^2 \right],
+   * @f]
+   * where L_ij = du_i/dx_j is the velocity gradient. Times are in units of
+   * 1/gamma, stresses and moduli in units of eta0 gamma.
+   *
+   * For dim = 2 the flow is plane: c_zz = 1 and does not enter.
+   */
+  template <int dim>
+  class Giesekus
+  {
+  public:
+    /**
+     * @throws InputError as GiesekusParameters::check() does.
+     */
+    explicit Giesekus(const GiesekusParameters &parameters);
+
+    /// lambda = Wi, in units of 1/gamma.
+    double
+    relaxation_time() const;
+
+    /// G = (1 - beta)/lambda, in units of eta0 gamma.
+    double
+    modulus() const;
+
+    /// eta_s = beta, in units of eta0.
+    double
+    solvent_viscosity() const;
+
+    /// alpha.
+    double
+    mobility_parameter() const;
+
+    /**
+     * The relaxation f(c) of the conformation @p c, in units of gamma.
+     */
+    dealii::SymmetricTensor<2, dim>
+    relaxation(const dealii::SymmetricTensor<2, dim> &c) const;
+
+    /**
+     * Dc/Dt = L c + c L^T + f(c) following a material point, for the velocity
+     * gradient @p L and the conformation @p c; in units of gamma.
+     */
+    dealii::SymmetricTensor<2, dim>
+    conformation_rate(const dealii::Tensor<2, dim>          &L,
+                      const dealii::SymmetricTensor<2, dim> &c) const;
+
+    /**
+     * g(L, s) = Ds/Dt following a material point, for the velocity gradient
+     * @p L and the tensor s = log(c) decomposed in @p d; in units of gamma.
+     *
+     * It is logarithm_derivative() applied to conformation_rate(). With R the
+     * eigenvectors of s, L~ = R^T L R and x = (s_i - s_j)/2, its components
+     * in the principal frame are (Fattal & Kupferman, J. Non-Newtonian Fluid
+     * Mech. 123 (2004) 281; Hulsen, Fattal & Kupferman, J. Non-Newtonian
+     * Fluid Mech. 127 (2005) 27, section 2)
+     * @f[
+     *   \tilde g_{ij} = \frac{x}{\sinh x}
+     *     \left( \tilde L_{ij} e^{-x} + \tilde L_{ji} e^{x} \right)
+     *     - \frac{\delta_{ij}}{\lambda} \left[ (1 - e^{-s_i})
+     *     + \alpha (e^{s_i} - 2 + e^{-s_i}) \right].
+     * @f]
+     * No term loses digits for equal or nearly equal eigenvalues, nor near
+     * s = 0.
+     */
+    dealii::SymmetricTensor<2, dim>
+    log_conformation_rate(const dealii::Tensor<2, dim>     &L,
+                          const SpectralDecomposition<dim> &d) const;
+
+    /**
+     * The polymer stress tau = G (c - I), in units of eta0 gamma.
+     */
+    dealii::SymmetricTensor<2, dim>
+    stress(const dealii::SymmetricTensor<2, dim> &c) const;
+
+  private:
+    double lambda;
+    double alpha;
+    double beta;
+  };
+
+
+
+  // ---------------------------- inline functions ----------------------------
+
+  template <int dim>
+  inline double
+  Giesekus<dim>::relaxation_time() const
+  {
+    return lambda;
+  }
+
+
+
+  template <int dim>
+  inline double
+  Giesekus<dim>::modulus() const
+  {
+    return (1. - beta) / lambda;
+  }
+
+
+
+  template <int dim>
+  inline double
+  Giesekus<dim>::solvent_viscosity() const
+  {
+    return beta;
+  }
+
+
+
+  template <int dim>
+  inline double
+  Giesekus<dim>::mobility_parameter() const
+  {
+    return alpha;
+  }
+
+
+
+  template <int dim>
+  inline dealii::SymmetricTensor<2, dim>
+  Giesekus<dim>::relaxation(const dealii::SymmetricTensor<2, dim> &c) const
+  {
+    const dealii::SymmetricTensor<2, dim> departure =
+      c - dealii::unit_symmetric_tensor<dim, double>();
+
+    dealii::SymmetricTensor<2, dim> f;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = i; j < dim; ++j)
+        {
+          double square = 0.;
+          for (unsigned int k = 0; k < dim; ++k)
+            square += departure[i][k] * departure[k][j];
+          f[i][j] = -(departure[i][j] + alpha * square) / lambda;
+        }
+    return f;
+  }
+
+
+
+  template <int dim>
+  inline dealii::SymmetricTensor<2, dim>
+  Giesekus<dim>::conformation_rate(
+    const dealii::Tensor<2, dim>          &L,
+    const dealii::SymmetricTensor<2, dim> &c) const
+  {
+    dealii::SymmetricTensor<2, dim> rate = relaxation(c);
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = i; j < dim; ++j)
+        for (unsigned int k = 0; k < dim; ++k)
+          rate[i][j] += L[i][k] * c[k][j] + c[i][k] * L[j][k];
+    return rate;
+  }
+
+
+
+  template <int dim>
+  inline dealii::SymmetricTensor<2, dim>
+  Giesekus<dim>::log_conformation_rate(
+    const dealii::Tensor<2, dim>     &L,
+    const SpectralDecomposition<dim> &d) const
+  {
+    const dealii::Tensor<2, dim> l = to_frame(L, d.vectors);
+
+    dealii::Tensor<2, dim>  g;
+    std::array<double, dim> root; // e^{s_i/2}
+    for (unsigned int i = 0; i < dim; ++i)
+      {
+        // With m = e^{|s|} - 1 nothing cancels: 1 - e^{-s} = m/(1 + m) for
+        // s > 0 and -m for s < 0, e^s - 2 + e^{-s} = m^2/(1 + m).
+        const double s        = d.values[i];
+        const double m        = std::expm1(std::abs(s));
+        const double quotient = m / (1. + m);
+        const double larger   = std::sqrt(1. + m);
+
+        root[i] = (s > 0. ? larger : 1. / larger);
+        g[i][i] = 2. * l[i][i] -
+                  ((s > 0. ? quotient : -m) + alpha * m * quotient) / lambda;
+      }
+
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = i + 1; j < dim; ++j)
+        {
+          const double x       = 0.5 * (d.values[i] - d.values[j]);
+          const double e       = root[i] / root[j]; // e^x
+          const double inverse = root[j] / root[i];
+          const double quotient =
+            (std::abs(x) <= 0.5 ? 1. / sinh_quotient_series(x) :
+                                  2. * x / (e - inverse));
+          g[i][j] = quotient * (l[i][j] * inverse + l[j][i] * e);
+        }
+    return from_frame(g, d.vectors);
+  }
+
+
+
+  template <int dim>
+  inline dealii::SymmetricTensor<2, dim>
+  Giesekus<dim>::stress(const dealii::SymmetricTensor<2, dim> &c) const
+  {
+    return modulus() * (c - dealii::unit_symmetric_tensor<dim, double>());
+  }
+} // namespace Catena
+
+#endif

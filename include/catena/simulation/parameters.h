@@ -1,0 +1,75 @@
+#ifndef catena_simulation_parameters_h
+#define catena_simulation_parameters_h
+
+#include <catena/conformation/conformation_solver.h>
+#include <catena/flow/flow_solver.h>
+#include <catena/mesh/mesher.h>
+#include <catena/rheology/giesekus.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace Catena
+{
+  /**
+   * The suspending fluid.
+   */
+  enum class FluidModel
+  {
+    newtonian,
+    giesekus
+  };
+
+  /**
+   * All parameters of a simulation but those of its scene. Units: a, gamma,
+   * eta0.
+   */
+  struct SimulationParameters
+  {
+    FluidModel         fluid = FluidModel::giesekus;
+    GiesekusParameters giesekus;
+
+    /// d_min: the smallest gap between particles, divided by the diameter
+    double minimal_gap = 0.02;
+
+    double time_step    = 0.08;
+    double final_strain = 50.;
+
+    MeshParameters mesh;
+    /// remesh below this fraction of the quality of a new mesh
+    double remesh_quality = 0.35;
+    /// remesh below this fraction of the wanted elements across a gap
+    double remesh_gap = 0.6;
+
+    FlowSolverParameters         flow_solver;
+    ConformationSolverParameters conformation_solver;
+
+    std::string         output_directory = "results";
+    std::vector<double> field_strains;
+
+    bool
+    viscoelastic() const
+    {
+      return fluid == FluidModel::giesekus;
+    }
+
+    void
+    declare(dealii::ParameterHandler &prm);
+
+    /// @throws InputError
+    void
+    check() const;
+
+  private:
+
+    void
+    declare_fluid(dealii::ParameterHandler &prm);
+
+    void
+    declare_mesh(dealii::ParameterHandler &prm);
+  };
+} // namespace Catena
+
+#endif

@@ -1,0 +1,76 @@
+#ifndef catena_simulation_remesher_h
+#define catena_simulation_remesher_h
+
+#include <catena/simulation/parameters.h>
+#include <catena/simulation/state.h>
+
+namespace Catena
+{
+  /**
+   * Decides when the mesh has moved too far, makes a new one and carries the
+   * state over to it.
+   *
+   * The new mesh is made for the configuration of the coming instant, and the
+   * mesh mover tells where its nodes were at the earlier instants. The
+   * log-conformation and the velocity of each level are then taken from the
+   * old mesh at those places and times: the new mesh has the past it would
+   * have had if it had always been there.
+   */
+  template <int dim>
+  class Remesher
+  {
+  public:
+    Remesher(const Scene<dim>           &scene,
+             const SimulationParameters &parameters,
+             const MPI_Comm              communicator);
+
+    /// A mesh for @p configuration.
+    Discretization<dim>
+    make(const Configuration<dim> &configuration) const;
+
+    /**
+     * Is a new mesh needed? Looks at the quality at the mesh's current
+     * positions and at the elements across gaps.
+     */
+    bool
+    is_due(const Discretization<dim> &discretization,
+           const Configuration<dim>  &configuration) const;
+
+    /**
+     * Put the state on a new mesh for @p next. If another image of a particle
+     * lies in the new block, the particle is represented by it from then on,
+     * in the state and in @p next.
+     */
+    void
+    remesh(State<dim> &state, Configuration<dim> &next) const;
+
+  private:
+    const Scene<dim>           scene;
+    const SimulationParameters parameters;
+    const MPI_Comm             communicator;
+
+    /// The scene with particles at @p configuration and the better cut.
+    Scene<dim>
+    scene_at(const Configuration<dim> &configuration) const;
+
+    /// Represent each particle by its image in the block of @p layout.
+    void
+    choose_images(const Scene<dim>   &layout,
+                  State<dim>         &state,
+                  Configuration<dim> &next) const;
+  };
+
+
+
+  /**
+   * Number of elements across the gap between two surface points: its width
+   * over the extent along it of the cells it passes through.
+   */
+  template <int dim>
+  double
+  elements_across(const MovingMesh<dim>    &mesh,
+                  const dealii::Point<dim> &begin,
+                  const dealii::Point<dim> &end);
+} // namespace Catena
+
+#endif

@@ -1,0 +1,183 @@
+#ifndef catena_simulation_simulation_h
+#define catena_simulation_simulation_h
+
+#include <catena/output/run_report.h>
+#include <catena/particles/contacts.h>
+#include <catena/simulation/parameters.h>
+#include <catena/simulation/remesher.h>
+#include <catena/simulation/state.h>
+
+#include <functional>
+#include <memory>
+
+namespace Catena
+{
+  /**
+   * What one time step did.
+   */
+  struct StepReport
+  {
+    double       dt                      = 0.;
+    unsigned int flow_iterations         = 0;
+    unsigned int conformation_iterations = 0;
+    bool         remeshed                = false;
+    double       seconds                 = 0.;
+  };
+
+
+
+  /**
+   * The time stepping of the whole system: particles, mesh, flow and
+   * conformation. A viscoelastic simulation starts from rest with the
+   * particles held in place for one relaxation time, t in [-Wi, 0]; the force
+   * that holds them is then let go to zero over one unit of strain. A
+   * Newtonian one starts free at t = 0.
+   *
+   * @code
+   * Simulation<3> simulation(scene, parameters, MPI_COMM_WORLD);
+   * simulation.initialize();
+   * while (simulation.strain() < parameters.final_strain)
+   *   simulation.advance();
+   * @endcode
+   */
+  template <int dim>
+  class Simulation
+  {
+  public:
+    /**
+     * @throws InputError if scene and parameters are not acceptable
+     */
+    Simulation(const Scene<dim>           &scene,
+               const SimulationParameters &parameters,
+               const MPI_Comm              communicator);
+
+    /**
+     * Make the first mesh and the state at the start.
+     */
+    void
+    initialize();
+
+    /**
+     * One time step.
+     */
+    StepReport
+    advance();
+
+    /// Make a new mesh in the next step in any case.
+    void
+    request_remesh()
+    {
+      remesh_requested = true;
+    }
+
+    double
+    strain() const
+    {
+      return state.now.time;
+    }
+
+    /// Strain at which the simulation starts, 0 or minus the start-up.
+    double
+    initial_strain() const;
+
+    const State<dim> &
+    current_state() const
+    {
+      return state;
+    }
+
+    const MovingMesh<dim> &
+    mesh() const
+    {
+      return *state.discretization.mesh;
+    }
+
+    const RigidBodies<dim> &
+    rigid_bodies() const
+    {
+      return bodies;
+    }
+
+    const Contacts<dim> &
+    contact_set() const
+    {
+      return contacts;
+    }
+
+    /// The external forces that act now, by rigid-body unknown.
+    std::vector<double>
+    external_forces(const double time) const;
+
+    RunReport &
+    report()
+    {
+      return run_report;
+    }
+
+    bool
+    held_in_place() const
+    {
+      return held;
+    }
+
+  private:
+    const Scene<dim>           scene;
+    const SimulationParameters parameters;
+    const MPI_Comm             communicator;
+    const Remesher<dim>        remesher;
+
+    RigidBodies<dim>                         bodies;
+    Contacts<dim>                            contacts;
+    FlowSolver<dim>                          flow_solver;
+    std::unique_ptr<ConformationSolver<dim>> conformation_solver;
+    State<dim>                               state;
+    RunReport                                run_report;
+    bool                                     held             = false;
+    bool                                     remesh_requested = false;
+
+    double
+    next_dt() const;
+
+    Configuration<dim>
+    moved_particles(const TimeStep &step);
+
+    bool
+    move_mesh(Level<dim> &next);
+
+    VectorType
+    mesh_velocity(const Level<dim> &next, const TimeStep &step) const;
+
+    unsigned int
+    solve_flow(Level<dim>                &next,
+               const TimeStep            &step,
+               const VectorType          &mesh_velocity,
+               std::vector<double>       *reactions);
+
+    unsigned int
+    solve_conformation(Level<dim>       &next,
+                       const TimeStep   &step,
+                       const VectorType &mesh_velocity);
+
+    void
+    let_go(const std::vector<double> &reactions);
+
+    void
+    set_up_solvers();
+  };
+
+
+
+  /**
+   * Angle of the line of centres of a string about z, continued from
+   * @p reference: of the particle beside the axis in a rotationally symmetric
+   * scene, else from the first particle to the second. The frame of the mesh
+   * turns with it. Zero for any other number of particles.
+   */
+  template <int dim>
+  double
+  string_angle(const Scene<dim>                      &scene,
+               const std::vector<dealii::Point<dim>> &centres,
+               const double                           reference);
+} // namespace Catena
+
+#endif

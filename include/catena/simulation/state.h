@@ -1,0 +1,61 @@
+#ifndef catena_simulation_state_h
+#define catena_simulation_state_h
+
+#include <catena/base/types.h>
+#include <catena/flow/flow_solver.h>
+#include <catena/mesh/mesh_mover.h>
+#include <catena/mesh/moving_mesh.h>
+#include <catena/scene/configuration.h>
+
+#include <memory>
+#include <vector>
+
+namespace Catena
+{
+  /**
+   * A mesh and what moves it.
+   */
+  template <int dim>
+  struct Discretization
+  {
+    std::unique_ptr<MovingMesh<dim>> mesh;
+    std::unique_ptr<MeshMover<dim>>  mover;
+    /// quality of the mesh when it was made
+    double initial_quality = 0.;
+  };
+
+
+
+  /**
+   * Everything that is known of one instant, on the present mesh.
+   */
+  template <int dim>
+  struct Level
+  {
+    /// strain gamma t since the release of the particles
+    double             time = 0.;
+    Configuration<dim> configuration;
+    VectorType         positions;
+    FlowFields<dim>    flow;
+    /// components of log(c) in deal.II's order; empty for a Newtonian fluid
+    std::vector<VectorType> log_conformation;
+  };
+
+
+
+  /**
+   * What the next step needs.
+   */
+  template <int dim>
+  struct State
+  {
+    Discretization<dim> discretization;
+    Level<dim>          now, before;
+    /// time step that led to `now`, 0 at the start
+    double last_dt = 0.;
+    /// force that holds each particle, by rigid-body unknown, before its ramp
+    std::vector<double> holding_forces;
+  };
+} // namespace Catena
+
+#endif

@@ -1,0 +1,45 @@
+#ifndef catena_simulation_trajectory_h
+#define catena_simulation_trajectory_h
+
+#include <catena/output/trajectory_table.h>
+#include <catena/simulation/simulation.h>
+
+#include <string>
+
+namespace Catena
+{
+  /**
+   * The trajectory of a simulation as a table, one row an instant. Particles
+   * are numbered as in the scene.
+   */
+  template <int dim>
+  class Trajectory
+  {
+  public:
+    Trajectory(const std::string         &path,
+               const Simulation<dim>     &simulation,
+               const MPI_Comm             communicator);
+
+    /// Write the row of the present instant; @p step led to it.
+    void
+    record(const StepReport &step);
+
+  private:
+    const Simulation<dim> &simulation;
+    TrajectoryTable        table;
+
+    void
+    declare_columns();
+
+    void
+    add_particles();
+
+    void
+    add_contacts();
+
+    void
+    add_conformation();
+  };
+} // namespace Catena
+
+#endif

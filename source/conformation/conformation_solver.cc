@@ -1,0 +1,348 @@
+#include <catena/base/exceptions.h>
+#include <catena/conformation/conformation_solver.h>
+#include <catena/mesh/cell_values.h>
+#include <catena/mesh/vertex_tensors.h>
+#include <catena/rheology/spectral.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/solver_gmres.h>
+#include <deal.II/lac/trilinos_precondition.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Catena
+{
+  using namespace dealii;
+
+  void
+  ConformationSolverParameters::declare(ParameterHandler &prm)
+  {
+    prm.add_parameter("Tolerance", tolerance,
+                      "Residual of each component of the log-conformation, "
+                      "relative to its right-hand side.",
+                      Patterns::Double());
+    prm.add_parameter("Maximal iterations", max_iterations,
+                      "Iterations after which a solve has failed.",
+                      Patterns::Integer());
+  }
+
+
+
+  void
+  ConformationSolverParameters::check() const
+  {
+    require(tolerance > 0. && tolerance < 1e-2,
+            "Conformation solver/Tolerance", tolerance,
+            "choose a value between 1e-14 and 1e-2");
+    require(max_iterations >= 1 && max_iterations < 100000,
+            "Conformation solver/Maximal iterations", max_iterations,
+            "choose a positive number, 200 is usual");
+  }
+
+
+
+  template <int dim>
+  ConformationSolver<dim>::ConformationSolver(
+    const Giesekus<dim>                &model,
+    const ConformationSolverParameters &parameters)
+    : model(model)
+    , parameters(parameters)
+  {}
+
+
+
+  template <int dim>
+  signed char
+  ConformationSolver<dim>::factor(const unsigned int vertex,
+                                  const unsigned int component) const
+  {
+    const unsigned int node = mesh->node_of_vertex(vertex);
+    const auto         ij =
+      SymmetricTensor<2, dim>::unrolled_to_component_indices(component);
+    const bool odd_in_z = (ij[0] < 2) != (ij[1] < 2);
+    if (odd_in_z && mesh->on_mirror(node))
+      return 0;
+    return static_cast<signed char>(
+      mesh->identification().template tensor_factor<dim>(node, component));
+  }
+
+
+
+  template <int dim>
+  void
+  ConformationSolver<dim>::reinit(const MovingMesh<dim> &new_mesh)
+  {
+    mesh = &new_mesh;
+    masters.assign(mesh->scalar_dofs().n_dofs(), 0);
+    for (const auto vertex : mesh->relevant_scalars())
+      masters[vertex] = mesh->vertex_of_node(
+        mesh->identification().master(mesh->node_of_vertex(vertex)));
+
+    DynamicSparsityPattern pattern(masters.size(),
+                                   masters.size(),
+                                   mesh->relevant_scalars());
+    for (const auto vertex : mesh->owned_scalars())
+      pattern.add(vertex, vertex);
+    for (const auto &cell : mesh->cells())
+      for (const unsigned int i : cell.vertices)
+        for (const unsigned int j : cell.vertices)
+          pattern.add(masters[i], masters[j]);
+
+    groups.clear();
+    for (unsigned int k = 0; k < n_components; ++k)
+      {
+        std::vector<signed char> factors(masters.size(), 0);
+        for (const auto vertex : mesh->relevant_scalars())
+          factors[vertex] = factor(vertex, k);
+        Group *group = nullptr;
+        for (const auto &known : groups)
+          if (Utilities::MPI::min(known->factors == factors ? 1 : 0,
+                                  mesh->communicator()) == 1)
+            group = known.get();
+        if (group == nullptr)
+          {
+            groups.push_back(std::make_unique<Group>());
+            group          = groups.back().get();
+            group->factors = factors;
+            group->matrix.reinit(mesh->owned_scalars(),
+                                 mesh->owned_scalars(),
+                                 pattern,
+                                 mesh->communicator());
+            group->access = CsrAccess(group->matrix,
+                                      mesh->owned_scalars(),
+                                      mesh->relevant_scalars());
+          }
+        group->components.push_back(k);
+        group->rhs.emplace_back(mesh->owned_scalars(), mesh->communicator());
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ConformationSolver<dim>::assemble(const std::vector<VectorType> &old,
+                                    const std::vector<VectorType> &older,
+                                    const VectorType              &velocity,
+                                    const VectorType &mesh_velocity,
+                                    const TimeStep   &step,
+                                    const Source     &source)
+  {
+    constexpr unsigned int n_nodes    = MovingMesh<dim>::n_nodes;
+    constexpr unsigned int n_vertices = MovingMesh<dim>::n_vertices;
+    const BdfCoefficients  bdf        = step.bdf();
+    const TwoLevelWeights  extrapolation = step.extrapolation();
+
+    for (const auto &group : groups)
+      {
+        group->matrix = 0.;
+        for (VectorType &rhs : group->rhs)
+          rhs = 0.;
+      }
+
+    CellValues<dim> values;
+    for (const auto &cell : mesh->cells())
+      {
+        const auto positions = mesh->cell_positions(cell, mesh->positions());
+        values.reinit(positions, cell.curved);
+        const auto s     = vertex_tensors<dim>(cell, old);
+        const auto s_old = vertex_tensors<dim>(cell, older);
+
+        std::array<std::array<double, n_vertices>, n_vertices> matrix{};
+        std::array<SymmetricTensor<2, dim>, n_vertices>        rhs;
+        for (const auto &point : values.points())
+          {
+            Tensor<1, dim> w;
+            Tensor<2, dim> L;
+            Point<dim>     x;
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              for (unsigned int d = 0; d < dim; ++d)
+                {
+                  const unsigned int dof = dim * cell.nodes[a] + d;
+                  w[d] += point.quadratic[a] *
+                          (velocity(dof) - mesh_velocity(dof));
+                  L[d] += velocity(dof) * point.quadratic_gradient[a];
+                  x[d] += point.quadratic[a] * positions[a][d];
+                }
+
+            SymmetricTensor<2, dim> history, s_hat;
+            for (unsigned int v = 0; v < n_vertices; ++v)
+              {
+                history -= point.linear[v] / step.dt *
+                           (bdf.a1 * s[v] + bdf.a2 * s_old[v]);
+                s_hat += point.linear[v] * (extrapolation.b0 * s[v] +
+                                            extrapolation.b1 * s_old[v]);
+              }
+            SymmetricTensor<2, dim> known =
+              history + model.log_conformation_rate(
+                          L, spectral_decomposition<dim>(s_hat));
+            if (source)
+              known += source(x);
+
+            // 2|w|/h for the element length h along w
+            double                         crossing_rate = 0.;
+            std::array<double, n_vertices> along_w;
+            for (unsigned int v = 0; v < n_vertices; ++v)
+              {
+                along_w[v] = w * point.linear_gradient[v];
+                crossing_rate += std::abs(along_w[v]);
+              }
+            const double tau = 1. / std::hypot(bdf.a0 / step.dt, crossing_rate);
+
+            for (unsigned int v = 0; v < n_vertices; ++v)
+              {
+                const double test =
+                  point.JxW * (point.linear[v] + tau * along_w[v]);
+                rhs[v] += test * known;
+                for (unsigned int u = 0; u < n_vertices; ++u)
+                  matrix[v][u] +=
+                    test * (bdf.a0 / step.dt * point.linear[u] + along_w[u]);
+              }
+          }
+
+        for (const auto &group : groups)
+          for (unsigned int v = 0; v < n_vertices; ++v)
+            {
+              const unsigned int i      = cell.vertices[v];
+              const double       factor = group->factors[i];
+              const int          row    = group->access.row(masters[i]);
+              if (factor == 0. || row == CsrAccess::absent)
+                continue;
+              for (unsigned int k = 0; k < group->components.size(); ++k)
+                group->rhs[k](masters[i]) +=
+                  factor * rhs[v].access_raw_entry(group->components[k]);
+              for (unsigned int u = 0; u < n_vertices; ++u)
+                {
+                  const unsigned int j = cell.vertices[u];
+                  if (group->factors[j] != 0)
+                    group->access.add(row,
+                                      group->access.column(masters[j]),
+                                      factor * group->factors[j] *
+                                        matrix[v][u]);
+                }
+            }
+      }
+
+    for (const auto &group : groups)
+      for (const auto i : mesh->owned_scalars())
+        if (masters[i] != i || group->factors[i] == 0)
+          group->access.add(group->access.row(i), group->access.column(i), 1.);
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  ConformationSolver<dim>::solve_group(const Group             &group,
+                                       std::vector<VectorType> &solution) const
+  {
+    TrilinosWrappers::PreconditionILU preconditioner;
+    preconditioner.initialize(group.matrix);
+
+    unsigned int iterations = 0;
+    for (unsigned int k = 0; k < group.components.size(); ++k)
+      {
+        VectorType &component = solution[group.components[k]];
+        VectorType  x(group.rhs[k]);
+        x.copy_locally_owned_data_from(component);
+        for (const auto i : mesh->owned_scalars())
+          if (masters[i] != i || group.factors[i] == 0)
+            x(i) = 0.;
+
+        // a field at rest has no right-hand side to compare with
+        const double  scale = std::max(group.rhs[k].l2_norm(), 1e-14);
+        SolverControl control(parameters.max_iterations,
+                              parameters.tolerance * scale);
+        try
+          {
+            SolverGMRES<VectorType>(
+              control, typename SolverGMRES<VectorType>::AdditionalData(60))
+              .solve(group.matrix, x, group.rhs[k], preconditioner);
+          }
+        catch (const SolverControl::NoConvergence &)
+          {
+            throw SolverError(
+              "The log-conformation did not converge in " +
+              std::to_string(parameters.max_iterations) +
+              " iterations: use a smaller time step or raise 'Conformation "
+              "solver/Maximal iterations'.");
+          }
+        iterations = std::max(iterations, control.last_step());
+
+        VectorType masters_values = mesh->scalar_field();
+        masters_values.copy_locally_owned_data_from(x);
+        masters_values.update_ghost_values();
+        component = mesh->scalar_field();
+        for (const auto i : mesh->owned_scalars())
+          component(i) = group.factors[i] * masters_values(masters[i]);
+        component.update_ghost_values();
+      }
+    return iterations;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  ConformationSolver<dim>::solve(std::vector<VectorType>       &solution,
+                                 const std::vector<VectorType> &old,
+                                 const std::vector<VectorType> &older,
+                                 const VectorType              &velocity,
+                                 const VectorType              &mesh_velocity,
+                                 const TimeStep                &step,
+                                 const Source                  &source)
+  {
+    assemble(old, older, velocity, mesh_velocity, step, source);
+    unsigned int iterations = 0;
+    for (const auto &group : groups)
+      iterations = std::max(iterations, solve_group(*group, solution));
+    return iterations;
+  }
+
+
+
+  template <int dim>
+  ConformationExtremes
+  conformation_extremes(const MovingMesh<dim>         &mesh,
+                        const std::vector<VectorType> &log_conformation)
+  {
+    ConformationExtremes extremes;
+    bool                 finite = true;
+    for (const auto i : mesh.owned_scalars())
+      {
+        SymmetricTensor<2, dim> s;
+        for (unsigned int k = 0; k < log_conformation.size(); ++k)
+          s.access_raw_entry(k) = log_conformation[k](i);
+        const auto spectrum = spectral_decomposition<dim>(s);
+        double     stretch  = 0.;
+        for (const double value : spectrum.values)
+          {
+            finite &= std::isfinite(value);
+            extremes.smallest_eigenvalue =
+              std::min(extremes.smallest_eigenvalue, std::exp(value));
+            stretch += std::expm1(value);
+          }
+        extremes.largest_trace = std::max(extremes.largest_trace, stretch);
+      }
+    if (Utilities::MPI::min(finite ? 1 : 0, mesh.communicator()) == 0)
+      throw SolverError("The conformation has values that are not finite: use "
+                        "a smaller time step or a finer mesh.");
+    extremes.smallest_eigenvalue =
+      Utilities::MPI::min(extremes.smallest_eigenvalue, mesh.communicator());
+    extremes.largest_trace =
+      Utilities::MPI::max(extremes.largest_trace, mesh.communicator());
+    return extremes;
+  }
+
+
+
+  template class ConformationSolver<2>;
+  template class ConformationSolver<3>;
+  template ConformationExtremes
+  conformation_extremes<2>(const MovingMesh<2> &,
+                           const std::vector<VectorType> &);
+  template ConformationExtremes
+  conformation_extremes<3>(const MovingMesh<3> &,
+                           const std::vector<VectorType> &);
+} // namespace Catena

@@ -1,0 +1,218 @@
+#include <catena/flow/flow_preconditioner.h>
+
+#include <deal.II/lac/solver_gmres.h>
+
+namespace Catena
+{
+  using namespace dealii;
+
+  std::vector<double>
+  replicate(const VectorType &block)
+  {
+    std::vector<double> values(block.size(), 0.);
+    for (const auto i : block.locally_owned_elements())
+      values[i] = block(i);
+    Utilities::MPI::sum(values, block.get_mpi_communicator(), values);
+    return values;
+  }
+
+
+
+  void
+  set_replicated(VectorType &block, const std::vector<double> &values)
+  {
+    for (const auto i : block.locally_owned_elements())
+      block(i) = values[i];
+  }
+
+
+
+  template <int dim>
+  void
+  FlowPreconditioner<dim>::initialize(const FlowMatrices<dim> &new_matrices)
+  {
+    matrices = &new_matrices;
+
+    velocity_components.clear();
+    for (const auto &component : matrices->component_matrices)
+      {
+        TrilinosWrappers::PreconditionAMG::AdditionalData data;
+        data.elliptic              = true;
+        data.smoother_sweeps       = 2;
+        data.aggregation_threshold = 0.02;
+        auto multigrid =
+          std::make_unique<TrilinosWrappers::PreconditionAMG>();
+        multigrid->initialize(component->matrix, data);
+        velocity_components.push_back(
+          {component->components, std::move(multigrid)});
+      }
+    const auto &nodes = matrices->component_matrices.front()->matrix;
+    node_src.reinit(nodes.locally_owned_domain_indices(),
+                    nodes.get_mpi_communicator());
+    node_dst.reinit(node_src);
+    velocity_src.reinit(matrices->velocity_rhs);
+    pressure_src.reinit(matrices->pressure_rhs);
+    pressure_dst.reinit(matrices->pressure_rhs);
+
+    initialize_mass();
+    initialize_rigid();
+  }
+
+
+
+  template <int dim>
+  void
+  FlowPreconditioner<dim>::initialize_mass()
+  {
+    VectorType inverse_diagonal(pressure_src);
+    for (const auto i : inverse_diagonal.locally_owned_elements())
+      inverse_diagonal(i) = 1. / matrices->pressure_mass.diag_element(i);
+
+    // eigenvalues of the P1 mass matrix scaled by its diagonal:
+    // between 1/2 and (dim+2)/2
+    typename MassInverse::AdditionalData data;
+    data.degree              = 4;
+    data.max_eigenvalue      = (dim + 2.) / 2.;
+    data.smoothing_range     = dim + 2.;
+    data.eig_cg_n_iterations = 0;
+    data.preconditioner =
+      std::make_shared<DiagonalMatrix<VectorType>>(inverse_diagonal);
+    mass_inverse.initialize(matrices->pressure_mass, data);
+  }
+
+
+
+  template <int dim>
+  void
+  FlowPreconditioner<dim>::initialize_rigid()
+  {
+    const unsigned int n = matrices->n_rigid();
+    rigid_responses.clear();
+    rigid_schur = matrices->rigid_rigid;
+    if (n == 0)
+      return;
+
+    struct VelocityCycle
+    {
+      const FlowPreconditioner &preconditioner;
+
+      void
+      vmult(VectorType &dst, const VectorType &src) const
+      {
+        preconditioner.solve_velocity(dst, src);
+      }
+    } cycle{*this};
+
+    rigid_src.reinit(
+      matrices->velocity_rigid.locally_owned_domain_indices(),
+      matrices->velocity_rigid.get_mpi_communicator());
+    VectorType column(velocity_src), response(velocity_src);
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        std::vector<double> unit(n, 0.);
+        unit[k] = 1.;
+        set_replicated(rigid_src, unit);
+        matrices->velocity_rigid.vmult(column, rigid_src);
+
+        response = 0.;
+        IterationNumberControl control(4, 1e-12);
+        SolverGMRES<VectorType>(control).solve(matrices->velocity,
+                                               response,
+                                               column,
+                                               cycle);
+        rigid_responses.push_back(response);
+        matrices->rigid_velocity_transposed.Tvmult(rigid_src, response);
+        const std::vector<double> reaction = replicate(rigid_src);
+        for (unsigned int l = 0; l < n; ++l)
+          rigid_schur(l, k) -= reaction[l];
+      }
+    set_contacts(ContactBlocks());
+  }
+
+
+
+  template <int dim>
+  void
+  FlowPreconditioner<dim>::set_contacts(const ContactBlocks &contacts)
+  {
+    const unsigned int n = rigid_schur.m(), m = contacts.n_contacts();
+    small_inverse.reinit(n + m, n + m);
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        for (unsigned int l = 0; l < n; ++l)
+          small_inverse(k, l) = rigid_schur(k, l);
+        for (unsigned int c = 0; c < m; ++c)
+          {
+            small_inverse(k, n + c) = -contacts.forces(k, c);
+            small_inverse(n + c, k) = contacts.rates(c, k);
+          }
+      }
+    if (n + m > 0)
+      small_inverse.gauss_jordan();
+  }
+
+
+
+  template <int dim>
+  void
+  FlowPreconditioner<dim>::solve_velocity(VectorType       &dst,
+                                          const VectorType &src) const
+  {
+    const unsigned int n = node_src.locally_owned_size();
+    for (const Component &component : velocity_components)
+      for (const unsigned int d : component.components)
+        {
+          for (unsigned int i = 0; i < n; ++i)
+            node_src.local_element(i) = src.local_element(dim * i + d);
+          component.multigrid->vmult(node_dst, node_src);
+          for (unsigned int i = 0; i < n; ++i)
+            dst.local_element(dim * i + d) = node_dst.local_element(i);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  FlowPreconditioner<dim>::vmult(BlockVectorType       &dst,
+                                 const BlockVectorType &src) const
+  {
+    mass_inverse.vmult(pressure_dst, src.block(1));
+    dst.block(1).equ(-1., pressure_dst);
+
+    velocity_src = src.block(0);
+    velocity_src *= -1.;
+    matrices->gradient.vmult_add(velocity_src, dst.block(1));
+    velocity_src *= -1.;
+    solve_velocity(dst.block(0), velocity_src);
+
+    const unsigned int n = matrices->n_rigid();
+    if (n == 0)
+      return;
+    std::vector<double> small = replicate(src.block(2));
+    matrices->pressure_rigid.Tvmult(rigid_src, dst.block(1));
+    const std::vector<double> pressure_part = replicate(rigid_src);
+    matrices->rigid_velocity_transposed.Tvmult(rigid_src, dst.block(0));
+    const std::vector<double> velocity_part = replicate(rigid_src);
+    for (unsigned int k = 0; k < n; ++k)
+      small[k] -= pressure_part[k] + velocity_part[k];
+    if (src.n_blocks() > 3)
+      for (const double rate : replicate(src.block(3)))
+        small.push_back(rate);
+
+    Vector<double> rhs(small.begin(), small.end()), solution(small.size());
+    small_inverse.vmult(solution, rhs);
+    for (unsigned int k = 0; k < n; ++k)
+      dst.block(0).add(-solution(k), rigid_responses[k]);
+    for (const auto k : dst.block(2).locally_owned_elements())
+      dst.block(2)(k) = solution(k);
+    if (src.n_blocks() > 3)
+      for (const auto c : dst.block(3).locally_owned_elements())
+        dst.block(3)(c) = solution(n + c);
+  }
+
+
+
+  template class FlowPreconditioner<2>;
+  template class FlowPreconditioner<3>;
+} // namespace Catena

@@ -1,0 +1,417 @@
+#include <catena/base/exceptions.h>
+#include <catena/flow/flow_solver.h>
+#include <catena/flow/velocity_constraints.h>
+
+#include <deal.II/lac/solver_gmres.h>
+
+#include <cmath>
+
+namespace Catena
+{
+  using namespace dealii;
+
+  void
+  FlowSolverParameters::declare(ParameterHandler &prm)
+  {
+    prm.add_parameter("Tolerance", tolerance,
+                      "Residual of momentum and mass, relative to the "
+                      "right-hand side of the disturbance problem.",
+                      Patterns::Double());
+    prm.add_parameter("Maximal iterations", max_iterations,
+                      "Iterations after which a solve has failed.",
+                      Patterns::Integer());
+  }
+
+
+
+  void
+  FlowSolverParameters::check() const
+  {
+    require(tolerance > 0. && tolerance < 1e-2, "Flow solver/Tolerance",
+            tolerance, "choose a value between 1e-12 and 1e-2");
+    require(max_iterations >= 1 && max_iterations < 100000,
+            "Flow solver/Maximal iterations", max_iterations,
+            "choose a positive number, 300 is usual");
+  }
+
+
+
+  namespace
+  {
+    /**
+     * The system of FlowMatrices with contacts, applied block by block.
+     */
+    template <int dim>
+    struct FlowOperator
+    {
+      const FlowMatrices<dim> &matrices;
+      const ContactBlocks     &contacts;
+
+      void
+      vmult(BlockVectorType &dst, const BlockVectorType &src) const
+      {
+        matrices.velocity.vmult(dst.block(0), src.block(0));
+        matrices.gradient.vmult_add(dst.block(0), src.block(1));
+        matrices.divergence.vmult(dst.block(1), src.block(0));
+        if (matrices.n_rigid() == 0)
+          return;
+        matrices.velocity_rigid.vmult_add(dst.block(0), src.block(2));
+        matrices.pressure_rigid.vmult_add(dst.block(1), src.block(2));
+        matrices.rigid_velocity_transposed.Tvmult(dst.block(2), src.block(0));
+        matrices.pressure_rigid.Tvmult_add(dst.block(2), src.block(1));
+
+        const std::vector<double> motions = replicate(src.block(2));
+        std::vector<double>       forces;
+        if (src.n_blocks() > 3)
+          forces = replicate(src.block(3));
+        for (const auto k : dst.block(2).locally_owned_elements())
+          {
+            double sum = 0.;
+            for (unsigned int l = 0; l < motions.size(); ++l)
+              sum += matrices.rigid_rigid(k, l) * motions[l];
+            for (unsigned int c = 0; c < forces.size(); ++c)
+              sum -= contacts.forces(k, c) * forces[c];
+            dst.block(2)(k) += sum;
+          }
+        if (src.n_blocks() > 3)
+          for (const auto c : dst.block(3).locally_owned_elements())
+            {
+              double rate = 0.;
+              for (unsigned int l = 0; l < motions.size(); ++l)
+                rate += contacts.rates(c, l) * motions[l];
+              dst.block(3)(c) = rate;
+            }
+      }
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  FlowSolver<dim>::FlowSolver(const FlowSolverParameters &parameters)
+    : parameters(parameters)
+  {}
+
+
+
+  template <int dim>
+  void
+  FlowSolver<dim>::reinit(const MovingMesh<dim>    &new_mesh,
+                          const RigidBodies<dim>   &new_bodies,
+                          const Configuration<dim> &new_configuration,
+                          const bool                held_in_place)
+  {
+    mesh          = &new_mesh;
+    bodies        = &new_bodies;
+    configuration = new_configuration;
+    held          = held_in_place;
+    velocity_lines =
+      velocity_constraints<dim>(*mesh, *bodies, configuration, held);
+    couplings = node_couplings<dim>(*mesh, velocity_lines);
+    matrices = std::make_unique<FlowMatrices<dim>>(*mesh, *bodies, couplings);
+    preconditioner_is_due = true;
+  }
+
+
+
+  template <int dim>
+  void
+  FlowSolver<dim>::assemble(const Configuration<dim> &new_configuration,
+                            const StressModel<dim>   &stress,
+                            const Function<dim>      *body_force)
+  {
+    configuration = new_configuration;
+    velocity_lines =
+      velocity_constraints<dim>(*mesh, *bodies, configuration, held);
+    couplings   = node_couplings<dim>(*mesh, velocity_lines);
+    last_stress = &stress;
+    last_force  = body_force;
+    assemble_matrices();
+  }
+
+
+
+  template <int dim>
+  void
+  FlowSolver<dim>::assemble_matrices()
+  {
+    matrices->assemble(couplings,
+                       *last_stress,
+                       mesh->scene().imposed_gradient(),
+                       preconditioner_is_due,
+                       last_force);
+    preconditioner_is_fresh = preconditioner_is_due;
+    if (preconditioner_is_due)
+      preconditioner.initialize(*matrices);
+    preconditioner_is_due = false;
+  }
+
+
+
+  template <int dim>
+  ContactBlocks
+  FlowSolver<dim>::contact_blocks(
+    const std::vector<Contact<dim>> &contacts) const
+  {
+    const unsigned int        n = bodies->n_unknowns(), m = contacts.size();
+    const std::vector<double> reference = bodies->values(
+      reference_motions<dim>(mesh->scene(), configuration, held));
+
+    ContactBlocks blocks;
+    if (m > 0)
+      {
+        blocks.rates.reinit(m, n);
+        blocks.forces.reinit(n, m);
+      }
+    blocks.given.assign(m, 0.);
+    for (unsigned int c = 0; c < m; ++c)
+      {
+        const std::vector<double> rate  = contacts[c].rate(*bodies);
+        const std::vector<double> force = contacts[c].force(*bodies);
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            blocks.rates(c, k)  = rate[k];
+            blocks.forces(k, c) = force[k];
+            blocks.given[c] -= rate[k] * reference[k];
+          }
+      }
+    return blocks;
+  }
+
+
+
+  template <int dim>
+  BlockVectorType
+  FlowSolver<dim>::make_vector(const unsigned int n_contacts) const
+  {
+    const MPI_Comm comm    = mesh->communicator();
+    const unsigned n_rigid = bodies->n_unknowns();
+    const auto     on_root = [&](const unsigned int n) {
+      IndexSet set(n);
+      if (Utilities::MPI::this_mpi_process(comm) == 0)
+        set.add_range(0, n);
+      return VectorType(set, comm);
+    };
+    BlockVectorType vector(n_rigid == 0 ? 2 : (n_contacts == 0 ? 3 : 4));
+    vector.block(0).reinit(matrices->velocity_rhs);
+    vector.block(1).reinit(matrices->pressure_rhs);
+    if (n_rigid > 0)
+      vector.block(2).reinit(on_root(n_rigid));
+    if (n_contacts > 0)
+      vector.block(3).reinit(on_root(n_contacts));
+    vector.collect_sizes();
+    return vector;
+  }
+
+
+
+  template <int dim>
+  BlockVectorType
+  FlowSolver<dim>::right_hand_side(
+    const ContactBlocks       &contacts,
+    const std::vector<double> &external_forces) const
+  {
+    BlockVectorType rhs = make_vector(contacts.n_contacts());
+    rhs.block(0)        = matrices->velocity_rhs;
+    rhs.block(1)        = matrices->pressure_rhs;
+    // the flux through the boundary vanishes up to rounding
+    rhs.block(1).add(-rhs.block(1).mean_value());
+    if (bodies->n_unknowns() > 0)
+      {
+        std::vector<double> forces = matrices->rigid_rhs;
+        for (unsigned int k = 0; k < forces.size(); ++k)
+          if (bodies->is_free(k))
+            forces[k] += bodies->meshed_share(k) * external_forces[k];
+        set_replicated(rhs.block(2), forces);
+      }
+    if (contacts.n_contacts() > 0)
+      set_replicated(rhs.block(3), contacts.given);
+    return rhs;
+  }
+
+
+
+  template <int dim>
+  BlockVectorType
+  FlowSolver<dim>::first_guess(const FlowFields<dim> &fields,
+                               const unsigned int     n_contacts) const
+  {
+    BlockVectorType guess = make_vector(n_contacts);
+    for (const auto node : mesh->owned_nodes())
+      {
+        Point<dim> x;
+        for (unsigned int d = 0; d < dim; ++d)
+          x[d] = mesh->positions()(dim * node + d);
+        const Tensor<1, dim> imposed = mesh->scene().imposed_velocity(x);
+        for (unsigned int d = 0; d < dim; ++d)
+          if (couplings[node].master == node &&
+              couplings[node].factors[d] != 0.)
+            guess.block(0)(dim * node + d) =
+              fields.velocity(dim * node + d) - imposed[d];
+      }
+    for (const auto vertex : mesh->owned_scalars())
+      if (mesh->identification().master(mesh->node_of_vertex(vertex)) ==
+          mesh->node_of_vertex(vertex))
+        guess.block(1)(vertex) = fields.pressure(vertex);
+    if (bodies->n_unknowns() > 0)
+      {
+        std::vector<double>       values = bodies->values(fields.motions);
+        const std::vector<double> reference = bodies->values(
+          reference_motions<dim>(mesh->scene(), configuration, held));
+        for (unsigned int k = 0; k < values.size(); ++k)
+          values[k] = bodies->is_free(k) ? values[k] - reference[k] : 0.;
+        set_replicated(guess.block(2), values);
+      }
+    if (n_contacts > 0 && fields.contact_forces.size() == n_contacts)
+      set_replicated(guess.block(3), fields.contact_forces);
+    return guess;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  FlowSolver<dim>::iterate(BlockVectorType       &solution,
+                           const BlockVectorType &rhs,
+                           const ContactBlocks   &contacts)
+  {
+    preconditioner.set_contacts(contacts);
+    const FlowOperator<dim> system{*matrices, contacts};
+    SolverControl           control(parameters.max_iterations,
+                          parameters.tolerance * rhs.l2_norm());
+    typename SolverFGMRES<BlockVectorType>::AdditionalData data(100);
+    SolverFGMRES<BlockVectorType>(control, data)
+      .solve(system, solution, rhs, preconditioner);
+    return control.last_step();
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  FlowSolver<dim>::solve(FlowFields<dim>                 &fields,
+                         const std::vector<Contact<dim>> &contacts,
+                         const std::vector<double>       &external_forces)
+  {
+    const ContactBlocks blocks   = contact_blocks(contacts);
+    BlockVectorType     rhs      = right_hand_side(blocks, external_forces);
+    const auto          guess    = first_guess(fields, contacts.size());
+    BlockVectorType     solution = guess;
+    unsigned int        iterations;
+    try
+      {
+        iterations = iterate(solution, rhs, blocks);
+      }
+    catch (const SolverControl::NoConvergence &failure)
+      {
+        const auto report = [&](const SolverControl::NoConvergence &e) {
+          std::ostringstream text;
+          text << "The flow solver reached a residual of " << e.last_residual
+               << " in " << e.last_step << " iterations, "
+               << parameters.tolerance * rhs.l2_norm()
+               << " was asked for: raise 'Flow solver/Maximal iterations' or "
+                  "use a smaller time step.";
+          return SolverError(text.str());
+        };
+        if (preconditioner_is_fresh)
+          throw report(failure);
+        preconditioner_is_due = true;
+        assemble_matrices();
+        solution = guess;
+        try
+          {
+            iterations = iterate(solution, rhs, blocks);
+          }
+        catch (const SolverControl::NoConvergence &second_failure)
+          {
+            throw report(second_failure);
+          }
+      }
+    if (!std::isfinite(solution.l2_norm()))
+      throw SolverError("The flow solver gave values that are not finite.");
+
+    if (preconditioner_is_fresh)
+      fresh_iterations = iterations;
+    else if (iterations > fresh_iterations + fresh_iterations / 2 + 8)
+      preconditioner_is_due = true;
+    extract(solution, fields);
+    return iterations;
+  }
+
+
+
+  template <int dim>
+  void
+  FlowSolver<dim>::extract(const BlockVectorType &solution,
+                           FlowFields<dim>       &fields) const
+  {
+    std::vector<double> motions;
+    if (bodies->n_unknowns() > 0)
+      motions = replicate(solution.block(2));
+
+    VectorType disturbance = mesh->vector_field();
+    disturbance.copy_locally_owned_data_from(solution.block(0));
+    disturbance.update_ghost_values();
+    fields.velocity = mesh->vector_field();
+    for (const auto node : mesh->owned_nodes())
+      {
+        Point<dim> x;
+        for (unsigned int d = 0; d < dim; ++d)
+          x[d] = mesh->positions()(dim * node + d);
+        const Tensor<1, dim> imposed  = mesh->scene().imposed_velocity(x);
+        const auto          &coupling = couplings[node];
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            double value = imposed[d] + coupling.known[d];
+            if (coupling.factors[d] != 0.)
+              value += coupling.factors[d] *
+                       disturbance(dim * coupling.master + d);
+            for (const auto &motion : coupling.motions[d])
+              value += motion.second * motions[motion.first];
+            fields.velocity(dim * node + d) = value;
+          }
+      }
+    fields.velocity.update_ghost_values();
+
+    VectorType masters = mesh->scalar_field();
+    masters.copy_locally_owned_data_from(solution.block(1));
+    masters.update_ghost_values();
+    fields.pressure = mesh->scalar_field();
+    for (const auto vertex : mesh->owned_scalars())
+      fields.pressure(vertex) = masters(mesh->vertex_of_node(
+        mesh->identification().master(mesh->node_of_vertex(vertex))));
+    const double mean = (solution.block(1) * matrices->vertex_volumes) /
+                        (matrices->vertex_volumes.mean_value() *
+                         matrices->vertex_volumes.size());
+    for (const auto vertex : mesh->owned_scalars())
+      fields.pressure(vertex) -= mean;
+    fields.pressure.update_ghost_values();
+
+    const auto references =
+      reference_motions<dim>(mesh->scene(), configuration, held);
+    fields.motions = bodies->motions(motions);
+    for (unsigned int i = 0; i < fields.motions.size(); ++i)
+      {
+        fields.motions[i].velocity += references[i].velocity;
+        fields.motions[i].angular_velocity += references[i].angular_velocity;
+      }
+    fields.contact_forces.clear();
+    if (solution.n_blocks() > 3)
+      fields.contact_forces = replicate(solution.block(3));
+  }
+
+
+
+  template <int dim>
+  types::global_dof_index
+  FlowSolver<dim>::n_unknowns() const
+  {
+    return mesh->vector_dofs().n_dofs() + mesh->scalar_dofs().n_dofs() +
+           bodies->n_unknowns();
+  }
+
+
+
+  template class FlowSolver<2>;
+  template class FlowSolver<3>;
+} // namespace Catena

@@ -1,0 +1,340 @@
+#include <catena/base/exceptions.h>
+#include <catena/mesh/boundary_snapper.h>
+#include <catena/mesh/gmsh_model.h>
+#include <catena/mesh/mesher.h>
+#include <catena/mesh/quality.h>
+#include <catena/mesh/size_field.h>
+
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <sstream>
+#include <vector>
+
+namespace Catena
+{
+  using dealii::Point;
+
+  namespace
+  {
+    /// One try at a mesh: sizes are multiplied by scale.
+    struct Attempt
+    {
+      double         scale;
+      MeshingOptions options;
+    };
+
+    /// The tries in their order, those that cannot be repeated exactly last.
+    const std::vector<Attempt> attempts = {
+      {1.00, {MeshingOptions::delaunay, 0}},
+      {0.97, {MeshingOptions::delaunay, 0}},
+      {1.03, {MeshingOptions::delaunay, 0}},
+      {0.94, {MeshingOptions::delaunay, 0}},
+      {1.00, {MeshingOptions::delaunay, 3}},
+      {0.91, {MeshingOptions::delaunay, 3}},
+      {1.00, {MeshingOptions::hxt, 0}},
+      {0.97, {MeshingOptions::hxt, 3}}};
+
+
+
+    template <int dim>
+    std::array<Point<dim>, dim + 1>
+    cell_vertices(const MeshDescription<dim>  &mesh,
+                  const dealii::CellData<dim> &cell)
+    {
+      std::array<Point<dim>, dim + 1> points;
+      for (unsigned int i = 0; i <= dim; ++i)
+        points[i] = mesh.vertices[cell.vertices[i]];
+      return points;
+    }
+
+
+
+    template <int dim>
+    double
+    smallest_quality(const MeshDescription<dim> &mesh)
+    {
+      double quality = mesh.cells.empty() ? -1. : 1.;
+      for (const auto &cell : mesh.cells)
+        quality =
+          std::min(quality, simplex_quality<dim>(cell_vertices(mesh, cell)));
+      return quality;
+    }
+
+
+
+    /**
+     * Remove cells that lie flat on a particle, with two faces on it: the
+     * particle gets the other two faces instead. Such cells come with a
+     * diagonal of two surface triangles that is not the outer one, and would be
+     * inverted by curved faces.
+     */
+    void
+    remove_flat_cells(MeshDescription<3> &mesh)
+    {
+      using Face = std::array<unsigned int, 3>;
+      std::map<Face, unsigned int>             number;
+      std::vector<dealii::types::boundary_id> on(mesh.vertices.size(), 0);
+
+      auto &faces = boundary_faces(mesh);
+      for (unsigned int f = 0; f < faces.size(); ++f)
+        if (faces[f].boundary_id >= BoundaryIds::particle)
+          {
+            number[sorted_vertices<3>(faces[f].vertices)] = f;
+            for (const unsigned int v : faces[f].vertices)
+              on[v] = faces[f].boundary_id;
+          }
+
+      const auto is_flat = [&](const dealii::CellData<3> &cell) {
+        const std::vector<unsigned int> &v = cell.vertices;
+        if (on[v[0]] == 0 || on[v[0]] != on[v[1]] || on[v[0]] != on[v[2]] ||
+            on[v[0]] != on[v[3]])
+          return false;
+
+        // the faces opposite to the vertices, those on the particle first
+        std::vector<Face> old_faces, new_faces;
+        for (unsigned int i = 0; i < 4; ++i)
+          {
+            std::vector<unsigned int> face = v;
+            face.erase(face.begin() + i);
+            const Face key = sorted_vertices<3>(face);
+            (number.count(key) > 0 ? old_faces : new_faces).push_back(key);
+          }
+        if (old_faces.size() != 2)
+          return false;
+
+        for (unsigned int i = 0; i < 2; ++i)
+          {
+            const unsigned int f = number[old_faces[i]];
+            number.erase(old_faces[i]);
+            number[new_faces[i]] = f;
+            faces[f].vertices.assign(new_faces[i].begin(), new_faces[i].end());
+          }
+        return true;
+      };
+
+      // what lay on a removed cell may be flat now
+      for (bool again = true; again;)
+        {
+          const auto end =
+            std::remove_if(mesh.cells.begin(), mesh.cells.end(), is_flat);
+          again = end != mesh.cells.end();
+          mesh.cells.erase(end, mesh.cells.end());
+        }
+    }
+
+
+
+    /// A triangle has no two sides on a disc.
+    void
+    remove_flat_cells(MeshDescription<2> &)
+    {}
+
+
+
+    /// Give all cells a positive volume.
+    template <int dim>
+    void
+    orient_cells(MeshDescription<dim> &mesh)
+    {
+      for (auto &cell : mesh.cells)
+        if (simplex_volume<dim>(cell_vertices(mesh, cell)) < 0.)
+          std::swap(cell.vertices[0], cell.vertices[1]);
+    }
+
+
+
+    /**
+     * Order the cells along a Hilbert curve and number the vertices as the
+     * cells meet them.
+     */
+    template <int dim>
+    void
+    order_along_curve(MeshDescription<dim> &mesh)
+    {
+      std::vector<Point<dim>> centres;
+      centres.reserve(mesh.cells.size());
+      for (const auto &cell : mesh.cells)
+        {
+          dealii::Tensor<1, dim> centre;
+          for (const unsigned int v : cell.vertices)
+            centre += mesh.vertices[v] / (dim + 1.);
+          centres.emplace_back(centre);
+        }
+      const auto positions =
+        dealii::Utilities::inverse_Hilbert_space_filling_curve(centres, 20);
+
+      std::vector<unsigned int> order(mesh.cells.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::sort(order.begin(), order.end(), [&](unsigned int a, unsigned int b) {
+        return positions[a] != positions[b] ? positions[a] < positions[b] :
+                                              a < b;
+      });
+
+      constexpr unsigned int unset = dealii::numbers::invalid_unsigned_int;
+      std::vector<unsigned int>          number(mesh.vertices.size(), unset);
+      std::vector<Point<dim>>            vertices;
+      std::vector<dealii::CellData<dim>> cells;
+      cells.reserve(order.size());
+      for (const unsigned int c : order)
+        {
+          cells.push_back(mesh.cells[c]);
+          for (unsigned int &v : cells.back().vertices)
+            {
+              if (number[v] == unset)
+                {
+                  number[v] = vertices.size();
+                  vertices.push_back(mesh.vertices[v]);
+                }
+              v = number[v];
+            }
+        }
+      for (auto &face : boundary_faces(mesh))
+        for (unsigned int &v : face.vertices)
+          v = number[v];
+      mesh.vertices = std::move(vertices);
+      mesh.cells    = std::move(cells);
+    }
+
+
+
+    /// Boundary, orientation and order of a mesh as gmsh gives it.
+    template <int dim>
+    void
+    finish(const Scene<dim> &scene, MeshDescription<dim> &mesh)
+    {
+      remove_flat_cells(mesh);
+      orient_cells(mesh);
+      {
+        BoundarySnapper<dim> snapper(scene, mesh);
+        // the second pass carries a node through a chain of images
+        for (unsigned int pass = 0; pass < 2; ++pass)
+          for (const auto &identification : scene.identifications())
+            snapper.match(identification);
+        snapper.snap_to_planes();
+      }
+      order_along_curve(mesh);
+      mesh.quality = smallest_quality(mesh);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  MeshDescription<dim>
+  generate_mesh(const Scene<dim> &scene, const MeshParameters &parameters)
+  {
+    parameters.check();
+    GmshModel<dim> model(scene);
+
+    double       best  = -std::numeric_limits<double>::infinity();
+    unsigned int count = 0;
+    std::string  failure;
+    for (const auto &attempt : attempts)
+      {
+        ++count;
+        try
+          {
+            MeshDescription<dim> mesh =
+              model.generate(SizeField<dim>(scene, parameters, attempt.scale),
+                             attempt.options);
+            finish(scene, mesh);
+            mesh.attempts = count;
+            if (mesh.quality >= parameters.minimal_quality)
+              return mesh;
+            best = std::max(best, mesh.quality);
+          }
+        catch (const MeshError &error)
+          {
+            failure = std::string("; last failure: ") + error.what();
+          }
+      }
+
+    std::ostringstream text;
+    text << "No acceptable mesh in " << count << " attempts: best quality "
+         << best << ", wanted " << parameters.minimal_quality
+         << "; raise 'Elements on equator' or lower 'Minimal quality'"
+         << failure;
+    throw MeshError(text.str());
+  }
+
+
+
+  void
+  MeshParameters::declare(dealii::ParameterHandler &parameters)
+  {
+    using namespace dealii::Patterns;
+    parameters.add_parameter(
+      "Elements on equator",
+      elements_on_equator,
+      "n_part, elements along the equator of a particle: their size is "
+      "2 pi a / n_part. At least 8.",
+      Integer());
+    parameters.add_parameter(
+      "Elements across gap",
+      elements_across_gap,
+      "n_min, smallest number of elements across the gap between two "
+      "particles or a particle and a wall. At least 1.",
+      Integer());
+    parameters.add_parameter(
+      "Size growth",
+      growth,
+      "Growth of the element size per unit of distance from a particle "
+      "(a per a) at 64 elements on the equator. A finer mesh grows slower, as "
+      "n_part^(-2/3), to be finer everywhere. Between 0.01 and 1.",
+      Double());
+    parameters.add_parameter("Maximal size",
+                             maximal_size,
+                             "Largest element size, in particle radii a.",
+                             Double());
+    parameters.add_parameter(
+      "Minimal quality",
+      minimal_quality,
+      "Smallest quality (inscribed over circumscribed radius, 1 for the "
+      "regular simplex) of a cell that is accepted; a mesh with a worse cell "
+      "is made again. Between 0 and 0.3.",
+      Double());
+  }
+
+
+
+  void
+  MeshParameters::check() const
+  {
+    require(elements_on_equator >= 8 && elements_on_equator <= 2000,
+            "Elements on equator",
+            elements_on_equator,
+            "give a number from 8 to 2000");
+    require(elements_across_gap >= 1 && elements_across_gap <= 20,
+            "Elements across gap",
+            elements_across_gap,
+            "give a number from 1 to 20");
+    require(growth >= 0.01 && growth <= 1.,
+            "Size growth",
+            growth,
+            "give a number from 0.01 to 1");
+    require(maximal_size > 0.,
+            "Maximal size",
+            maximal_size,
+            "give a positive length in particle radii");
+    require(minimal_quality >= 0. && minimal_quality <= 0.3,
+            "Minimal quality",
+            minimal_quality,
+            "give a number from 0 to 0.3");
+  }
+
+
+
+  template struct MeshDescription<2>;
+  template struct MeshDescription<3>;
+  template MeshDescription<2>
+  generate_mesh(const Scene<2> &, const MeshParameters &);
+  template MeshDescription<3>
+  generate_mesh(const Scene<3> &, const MeshParameters &);
+} // namespace Catena

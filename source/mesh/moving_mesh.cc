@@ -1,0 +1,294 @@
+#include <catena/base/exceptions.h>
+#include <catena/mesh/moving_mesh.h>
+#include <catena/mesh/cell_values.h>
+#include <catena/mesh/quality.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/fe/mapping_fe_field.h>
+
+#include <algorithm>
+
+namespace Catena
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Vertices of the edges in the node order of FE_SimplexP(2).
+    constexpr unsigned int edge_vertices[6][2] =
+      {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
+  } // namespace
+
+
+
+  template <int dim>
+  MovingMesh<dim>::MovingMesh(const MPI_Comm              communicator,
+                              const Scene<dim>           &scene,
+                              const MeshDescription<dim> &description)
+    : reference_scene(scene)
+    , triangulation(communicator,
+                    Triangulation<dim>::none,
+                    false,
+                    parallel::shared::Triangulation<dim>::partition_metis)
+    , vector_element(FE_SimplexP<dim>(2), dim)
+    , scalar_element(1)
+    , vectors(triangulation)
+    , scalars(triangulation)
+  {
+    triangulation.create_triangulation(description.vertices,
+                                       description.cells,
+                                       description.boundary);
+    vectors.distribute_dofs(vector_element);
+    scalars.distribute_dofs(scalar_element);
+
+    std::vector<Cell> all_cells;
+    all_cells.reserve(triangulation.n_active_cells());
+    for (const auto &cell : vectors.active_cell_iterators())
+      all_cells.push_back(describe_cell(cell));
+
+    const std::vector<Point<dim>> points = classify_nodes(all_cells);
+    node_identification =
+      std::make_unique<NodeIdentification>(reference_scene,
+                                           points,
+                                           node_boundaries);
+    select_cells(all_cells);
+
+    reference = vector_field();
+    for (const unsigned int node : nodes_owned)
+      for (unsigned int d = 0; d < dim; ++d)
+        reference(dim * node + d) = points[node][d];
+    reference.update_ghost_values();
+    current = reference;
+    current.update_ghost_values();
+    quadratic_mapping =
+      std::make_unique<MappingFEField<dim, dim, VectorType>>(vectors, current);
+  }
+
+
+
+  template <int dim>
+  typename MovingMesh<dim>::Cell
+  MovingMesh<dim>::describe_cell(
+    const typename DoFHandler<dim>::active_cell_iterator &cell) const
+  {
+    Cell result;
+    result.iterator = cell;
+    result.curved   = false;
+    result.owned    = cell->is_locally_owned();
+
+    std::vector<types::global_dof_index> dofs(vector_element.n_dofs_per_cell());
+    cell->get_dof_indices(dofs);
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      {
+        const auto component = vector_element.system_to_component_index(i);
+        if (component.first == 0)
+          result.nodes[component.second] = dofs[i] / dim;
+        AssertThrow(dofs[i] ==
+                      dim * result.nodes[component.second] + component.first,
+                    ExcInternalError());
+      }
+
+    const typename DoFHandler<dim>::active_cell_iterator scalar_cell(
+      &triangulation, cell->level(), cell->index(), &scalars);
+    std::vector<types::global_dof_index> scalar_indices(n_vertices);
+    scalar_cell->get_dof_indices(scalar_indices);
+    std::copy(scalar_indices.begin(),
+              scalar_indices.end(),
+              result.vertices.begin());
+    return result;
+  }
+
+
+
+  /**
+   * Boundaries, particle, edge and position of every node. Every rank knows
+   * the whole mesh while it is set up.
+   */
+  template <int dim>
+  std::vector<Point<dim>>
+  MovingMesh<dim>::classify_nodes(const std::vector<Cell> &all_cells)
+  {
+    const unsigned int      n = vectors.n_dofs() / dim;
+    std::vector<Point<dim>> points(n);
+    node_boundaries.assign(n, 0);
+    node_particles.assign(n, no_particle);
+    node_vertices.assign(n, numbers::invalid_unsigned_int);
+    vertex_nodes.resize(scalars.n_dofs());
+    node_ends.resize(n);
+
+    for (const Cell &cell : all_cells)
+      {
+        for (unsigned int v = 0; v < n_vertices; ++v)
+          {
+            points[cell.nodes[v]]        = cell.iterator->vertex(v);
+            vertex_nodes[cell.vertices[v]] = cell.nodes[v];
+            node_vertices[cell.nodes[v]]   = cell.vertices[v];
+            node_ends[cell.nodes[v]]       = {{cell.nodes[v], cell.nodes[v]}};
+          }
+        for (unsigned int e = n_vertices; e < n_nodes; ++e)
+          {
+            const unsigned int *v = edge_vertices[e - n_vertices];
+            node_ends[cell.nodes[e]] = {{cell.nodes[v[0]], cell.nodes[v[1]]}};
+            points[cell.nodes[e]] =
+              (cell.iterator->vertex(v[0]) + cell.iterator->vertex(v[1])) / 2.;
+          }
+
+        for (const unsigned int f : cell.iterator->face_indices())
+          if (cell.iterator->face(f)->at_boundary())
+            {
+              const auto                 face = cell.iterator->face(f);
+              const types::boundary_id   id   = face->boundary_id();
+              std::array<bool, n_vertices> in_face{};
+              for (unsigned int v = 0; v < n_vertices; ++v)
+                for (unsigned int k = 0; k < dim; ++k)
+                  in_face[v] |= face->vertex_index(k) ==
+                                cell.iterator->vertex_index(v);
+              for (unsigned int i = 0; i < n_nodes; ++i)
+                {
+                  const bool inside =
+                    i < n_vertices ?
+                      in_face[i] :
+                      in_face[edge_vertices[i - n_vertices][0]] &&
+                        in_face[edge_vertices[i - n_vertices][1]];
+                  if (inside && id >= BoundaryIds::particle)
+                    node_particles[cell.nodes[i]] = id - BoundaryIds::particle;
+                  else if (inside)
+                    node_boundaries[cell.nodes[i]] |= 1u << id;
+                }
+            }
+      }
+
+    for (unsigned int i = 0; i < n; ++i)
+      if (node_particles[i] != no_particle && node_ends[i][0] != i)
+        {
+          const Particle<dim> &p = reference_scene.particles[node_particles[i]];
+          const Tensor<1, dim> r = points[i] - p.centre;
+          points[i] = p.centre + p.radius / r.norm() * r;
+        }
+    return points;
+  }
+
+
+
+  template <int dim>
+  void
+  MovingMesh<dim>::select_cells(const std::vector<Cell> &all_cells)
+  {
+    const IndexSet &owned_vector_dofs = vectors.locally_owned_dofs();
+    nodes_owned.set_size(n_global_nodes());
+    nodes_relevant.set_size(n_global_nodes());
+    for (unsigned int i = 0; i < n_global_nodes(); ++i)
+      if (owned_vector_dofs.is_element(dim * i))
+        nodes_owned.add_index(i);
+
+    const IndexSet &owned_scalar_dofs = scalars.locally_owned_dofs();
+    std::vector<char> relevant(n_global_nodes(), 0);
+    for (Cell cell : all_cells)
+      {
+        bool mine = cell.owned;
+        for (const unsigned int node : cell.nodes)
+          mine |=
+            nodes_owned.is_element(node_identification->master(node)) ||
+            nodes_owned.is_element(node);
+        for (const unsigned int vertex : cell.vertices)
+          mine |= owned_scalar_dofs.is_element(vertex) ||
+                  owned_scalar_dofs.is_element(
+                    node_vertices[node_identification->master(
+                      vertex_nodes[vertex])]);
+        if (!mine)
+          continue;
+        for (unsigned int e = n_vertices; e < n_nodes; ++e)
+          cell.curved |= node_particles[cell.nodes[e]] != no_particle;
+        for (const unsigned int node : cell.nodes)
+          relevant[node] = relevant[node_identification->master(node)] = 1;
+        local_cells.push_back(cell);
+      }
+
+    vectors_relevant.set_size(vectors.n_dofs());
+    scalars_relevant.set_size(scalars.n_dofs());
+    std::vector<types::global_dof_index> scalar_indices;
+    for (unsigned int i = 0; i < n_global_nodes(); ++i)
+      if (relevant[i] || nodes_owned.is_element(i))
+        {
+          nodes_relevant.add_index(i);
+          vectors_relevant.add_range(dim * i, dim * i + dim);
+          if (node_vertices[i] != numbers::invalid_unsigned_int)
+            scalar_indices.push_back(node_vertices[i]);
+        }
+    std::sort(scalar_indices.begin(), scalar_indices.end());
+    scalars_relevant.add_indices(scalar_indices.begin(), scalar_indices.end());
+    scalars_relevant.add_indices(owned_scalar_dofs);
+    nodes_relevant.compress();
+    vectors_relevant.compress();
+    scalars_relevant.compress();
+  }
+
+
+
+  template <int dim>
+  bool
+  MovingMesh<dim>::on_wall(const unsigned int node) const
+  {
+    const bool low_is_wall =
+      !(reference_scene.rotational() && reference_scene.cut == Cut::y_plane);
+    return on_boundary(node, BoundaryIds::y_high) ||
+           (low_is_wall && on_boundary(node, BoundaryIds::y_low));
+  }
+
+
+
+  template <int dim>
+  void
+  MovingMesh<dim>::set_positions(const VectorType &positions)
+  {
+    current = positions;
+    current.update_ghost_values();
+  }
+
+
+
+  template <int dim>
+  std::array<Point<dim>, MovingMesh<dim>::n_nodes>
+  MovingMesh<dim>::cell_positions(const Cell       &cell,
+                                  const VectorType &positions) const
+  {
+    std::array<Point<dim>, n_nodes> points;
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      for (unsigned int d = 0; d < dim; ++d)
+        points[i][d] = positions(dim * cell.nodes[i] + d);
+    return points;
+  }
+
+
+
+  template <int dim>
+  double
+  MovingMesh<dim>::quality() const
+  {
+    const FE_SimplexP<dim> quadratic(2);
+    CellValues<dim>        at_nodes(
+      Quadrature<dim>(quadratic.get_unit_support_points(),
+                      std::vector<double>(n_nodes, 1.)));
+    double smallest = 1.;
+    for (const Cell &cell : local_cells)
+      {
+        const auto points = cell_positions(cell, current);
+        std::array<Point<dim>, n_vertices> corners;
+        std::copy_n(points.begin(), n_vertices, corners.begin());
+        smallest = std::min(smallest, simplex_quality<dim>(corners));
+        if (cell.curved && smallest > 0.)
+          {
+            at_nodes.reinit(points, true);
+            for (const auto &node : at_nodes.points())
+              if (node.JxW <= 0.)
+                smallest = -1.;
+          }
+      }
+    return Utilities::MPI::min(smallest, communicator());
+  }
+
+
+
+  template class MovingMesh<2>;
+  template class MovingMesh<3>;
+} // namespace Catena

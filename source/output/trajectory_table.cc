@@ -1,0 +1,103 @@
+#include <catena/base/exceptions.h>
+#include <catena/output/trajectory_table.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <sstream>
+
+namespace Catena
+{
+  using namespace dealii;
+
+  TrajectoryTable::TrajectoryTable(const std::string &path,
+                                   const MPI_Comm     communicator)
+    : path(path)
+    , communicator(communicator)
+  {
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      file.open(path, std::ios::trunc);
+    check_file("cannot be opened for writing: check that its directory exists "
+               "and is yours");
+  }
+
+
+
+  void
+  TrajectoryTable::declare(const std::string &name, const std::string &unit)
+  {
+    AssertThrow(rows_written == 0,
+                ExcMessage("Column '" + name +
+                           "' is declared after the first row."));
+    AssertThrow(!name.empty() &&
+                  (name + unit).find_first_of(",\n\r\"") == std::string::npos,
+                ExcMessage("'" + name + "' cannot be the name of a column."));
+    AssertThrow(index_of.count(name) == 0,
+                ExcMessage("Column '" + name + "' is declared twice."));
+
+    index_of[name] = columns.size();
+    columns.emplace_back();
+    columns.back().heading = unit.empty() ? name : name + " [" + unit + "]";
+  }
+
+
+
+  void
+  TrajectoryTable::add(const std::string &name, const double value)
+  {
+    const auto position = index_of.find(name);
+    AssertThrow(position != index_of.end(),
+                ExcMessage("There is no column '" + name + "'."));
+
+    Column &column = columns[position->second];
+    AssertThrow(!column.is_set,
+                ExcMessage("Column '" + name + "' has a value in this row."));
+    column.value  = value;
+    column.is_set = true;
+  }
+
+
+
+  void
+  TrajectoryTable::write_row()
+  {
+    std::ostringstream text;
+    text.precision(10);
+
+    if (rows_written == 0)
+      for (const Column &column : columns)
+        text << column.heading << (&column == &columns.back() ? "\n" : ",");
+
+    for (const Column &column : columns)
+      {
+        AssertThrow(column.is_set,
+                    ExcMessage("Column '" + column.heading +
+                               "' has no value in this row."));
+        text << column.value << (&column == &columns.back() ? "\n" : ",");
+      }
+    for (Column &column : columns)
+      column.is_set = false;
+
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      file << text.str() << std::flush;
+    check_file("cannot be written: is the disk full?");
+    ++rows_written;
+  }
+
+
+
+  unsigned int
+  TrajectoryTable::n_rows() const
+  {
+    return rows_written;
+  }
+
+
+
+  void
+  TrajectoryTable::check_file(const std::string &what_failed) const
+  {
+    const bool good = Utilities::MPI::broadcast(communicator, file.good(), 0);
+    if (!good)
+      throw Error("File '" + path + "' " + what_failed + ".");
+  }
+} // namespace Catena

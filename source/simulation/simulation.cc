@@ -1,0 +1,428 @@
+#include <catena/base/exceptions.h>
+#include <catena/flow/particle_forces.h>
+#include <catena/flow/stress_prediction.h>
+#include <catena/flow/velocity_constraints.h>
+#include <catena/output/progress.h>
+#include <catena/simulation/simulation.h>
+
+#include <cmath>
+
+namespace Catena
+{
+  using namespace dealii;
+
+  template <int dim>
+  double
+  string_angle(const Scene<dim>              &scene,
+               const std::vector<Point<dim>> &centres,
+               const double                   reference)
+  {
+    Tensor<1, dim> line;
+    if (scene.rotational())
+      {
+        unsigned int n_beside = 0;
+        for (unsigned int i = 0; i < centres.size(); ++i)
+          if (!scene.particles[i].on_axis)
+            {
+              line = centres[i];
+              ++n_beside;
+            }
+        if (n_beside != 1)
+          return 0.;
+      }
+    else if (centres.size() == 2)
+      line = centres[1] - centres[0];
+    else
+      return 0.;
+
+    const double angle = std::atan2(line[1], line[0]);
+    return reference + std::remainder(angle - reference, 2. * numbers::PI);
+  }
+
+
+
+  namespace
+  {
+    /// The weighted sum of a field at two instants.
+    VectorType
+    combine(const TwoLevelWeights &weights,
+            const VectorType      &now,
+            const VectorType      &before)
+    {
+      VectorType result = now;
+      if (weights.b1 != 0.)
+        result.sadd(weights.b0, weights.b1, before);
+      result.update_ghost_values();
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Simulation<dim>::Simulation(const Scene<dim>           &scene,
+                              const SimulationParameters &parameters,
+                              const MPI_Comm              communicator)
+    : scene(scene)
+    , parameters(parameters)
+    , communicator(communicator)
+    , remesher(scene, parameters, communicator)
+    , bodies(scene)
+    , contacts(scene, parameters.minimal_gap)
+    , flow_solver(parameters.flow_solver)
+    , run_report(communicator)
+  {
+    scene.check();
+    parameters.check();
+    if (parameters.viscoelastic())
+      conformation_solver = std::make_unique<ConformationSolver<dim>>(
+        Giesekus<dim>(parameters.giesekus), parameters.conformation_solver);
+  }
+
+
+
+  template <int dim>
+  double
+  Simulation<dim>::initial_strain() const
+  {
+    return parameters.viscoelastic() ? -parameters.giesekus.weissenberg_number :
+                                       0.;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::initialize()
+  {
+    held = parameters.viscoelastic();
+    bodies.hold_in_place(held);
+    state.holding_forces.assign(bodies.n_unknowns(), 0.);
+
+    Level<dim> &now = state.now;
+    now.time        = initial_strain();
+    for (const Particle<dim> &p : scene.particles)
+      now.configuration.centres.push_back(p.centre);
+    now.configuration.frame_angle =
+      string_angle<dim>(scene, now.configuration.centres, 0.);
+    contacts.enforce(now.configuration);
+
+    {
+      const auto timer = run_report.time("mesh generation and transfer");
+      state.discretization = remesher.make(now.configuration);
+    }
+    set_up_solvers();
+    now.positions = mesh().positions();
+
+    // the first guess is the imposed flow
+    now.flow.velocity = mesh().vector_field();
+    for (const auto node : mesh().owned_nodes())
+      {
+        Point<dim> x;
+        for (unsigned int d = 0; d < dim; ++d)
+          x[d] = now.positions(dim * node + d);
+        for (unsigned int d = 0; d < dim; ++d)
+          now.flow.velocity(dim * node + d) = scene.imposed_velocity(x)[d];
+      }
+    now.flow.velocity.update_ghost_values();
+    now.flow.pressure = mesh().scalar_field();
+    now.flow.motions =
+      reference_motions<dim>(scene, now.configuration, held);
+
+    if (parameters.viscoelastic())
+      for (unsigned int k = 0; k < n_symmetric_components(dim); ++k)
+        now.log_conformation.push_back(mesh().scalar_field());
+    else
+      solve_flow(now, TimeStep(), VectorType(), nullptr);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::set_up_solvers()
+  {
+    const auto timer = run_report.time("degrees of freedom and sparsity");
+    flow_solver.reinit(mesh(), bodies, state.now.configuration, held);
+    if (conformation_solver)
+      conformation_solver->reinit(mesh());
+    run_report.note("elements", mesh().n_global_cells());
+    run_report.note("unknowns of the flow", flow_solver.n_unknowns());
+    run_report.note("unknowns of the conformation",
+                    conformation_solver ? n_symmetric_components(dim) *
+                                            mesh().scalar_dofs().n_dofs() :
+                                          0);
+  }
+
+
+
+  template <int dim>
+  double
+  Simulation<dim>::next_dt() const
+  {
+    const double end  = held ? 0. : parameters.final_strain;
+    const double left = end - state.now.time;
+    if (held)
+      return left / std::ceil(left / parameters.time_step - 1e-6);
+    return left < 1.001 * parameters.time_step ? left : parameters.time_step;
+  }
+
+
+
+  template <int dim>
+  StepReport
+  Simulation<dim>::advance()
+  {
+    const auto   step_timer = run_report.step();
+    const double begin      = wall_clock();
+    StepReport   result;
+
+    TimeStep step;
+    step.dt          = next_dt();
+    step.previous_dt = state.last_dt;
+
+    Level<dim> next;
+    next.time          = state.now.time + step.dt;
+    next.configuration = moved_particles(step);
+    result.remeshed    = move_mesh(next);
+    const VectorType velocity_of_mesh = mesh_velocity(next, step);
+
+    const bool          last_held_step = held && next.time > -1e-6 * step.dt;
+    std::vector<double> reactions;
+    result.flow_iterations =
+      solve_flow(next,
+                 step,
+                 velocity_of_mesh,
+                 last_held_step ? &reactions : nullptr);
+    contacts.release(next.flow.contact_forces);
+    if (conformation_solver)
+      result.conformation_iterations =
+        solve_conformation(next, step, velocity_of_mesh);
+
+    state.before  = std::move(state.now);
+    state.now     = std::move(next);
+    state.last_dt = step.dt;
+    if (last_held_step)
+      let_go(reactions);
+
+    run_report.count("flow iterations", result.flow_iterations);
+    run_report.count("remeshes", result.remeshed ? 1 : 0);
+    result.dt      = step.dt;
+    result.seconds = wall_clock() - begin;
+    return result;
+  }
+
+
+
+  /**
+   * X^(n+1) by Adams-Bashforth, then back to the smallest gap where it would
+   * be undercut or is held.
+   */
+  template <int dim>
+  Configuration<dim>
+  Simulation<dim>::moved_particles(const TimeStep &step)
+  {
+    Configuration<dim> next = state.now.configuration;
+    if (held)
+      return next;
+
+    const TwoLevelWeights weights = step.adams_bashforth();
+    for (unsigned int i = 0; i < next.centres.size(); ++i)
+      {
+        next.centres[i] +=
+          step.dt * weights.b0 * state.now.flow.motions[i].velocity;
+        if (weights.b1 != 0.)
+          next.centres[i] +=
+            step.dt * weights.b1 * state.before.flow.motions[i].velocity;
+      }
+    contacts.enforce(next);
+    next.frame_angle = string_angle<dim>(scene, next.centres, next.frame_angle);
+    return next;
+  }
+
+
+
+  /**
+   * @return whether a new mesh was made
+   */
+  template <int dim>
+  bool
+  Simulation<dim>::move_mesh(Level<dim> &next)
+  {
+    const Configuration<dim> &present = state.now.configuration;
+    bool moved = next.configuration.frame_angle != present.frame_angle;
+    for (unsigned int i = 0; i < present.centres.size(); ++i)
+      moved |= next.configuration.centres[i] != present.centres[i];
+    if (!moved && !remesh_requested)
+      {
+        next.positions = state.now.positions;
+        return false;
+      }
+
+    bool remesh = remesh_requested;
+    {
+      const auto timer = run_report.time("mesh motion");
+      next.positions =
+        state.discretization.mover->positions(next.configuration);
+      state.discretization.mesh->set_positions(next.positions);
+      remesh |= remesher.is_due(state.discretization, next.configuration);
+    }
+    if (remesh)
+      {
+        {
+          const auto timer = run_report.time("mesh generation and transfer");
+          remesher.remesh(state, next.configuration);
+          next.positions = mesh().positions();
+        }
+        set_up_solvers();
+        remesh_requested = false;
+      }
+    return remesh;
+  }
+
+
+
+  template <int dim>
+  VectorType
+  Simulation<dim>::mesh_velocity(const Level<dim> &next,
+                                 const TimeStep   &step) const
+  {
+    const BdfCoefficients bdf    = step.bdf();
+    VectorType            result = next.positions;
+    result.sadd(bdf.a0 / step.dt, bdf.a1 / step.dt, state.now.positions);
+    if (bdf.a2 != 0.)
+      result.add(bdf.a2 / step.dt, state.before.positions);
+    result.update_ghost_values();
+    return result;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  Simulation<dim>::solve_flow(Level<dim>          &next,
+                              const TimeStep      &step,
+                              const VectorType    &mesh_velocity,
+                              std::vector<double> *reactions)
+  {
+    const bool            first   = step.dt == 0.;
+    const TwoLevelWeights weights = step.extrapolation();
+    const Level<dim>     &now = state.now, &before = state.before;
+    if (!first)
+      {
+        next.flow          = now.flow;
+        next.flow.velocity = combine(weights, now.flow.velocity,
+                                     before.flow.velocity);
+        next.flow.pressure = combine(weights, now.flow.pressure,
+                                     before.flow.pressure);
+        if (weights.b1 != 0.)
+          for (unsigned int i = 0; i < next.flow.motions.size(); ++i)
+            {
+              RigidMotion<dim>       &motion = next.flow.motions[i];
+              const RigidMotion<dim> &old    = before.flow.motions[i];
+              motion.velocity =
+                weights.b0 * motion.velocity + weights.b1 * old.velocity;
+              motion.angular_velocity = weights.b0 * motion.angular_velocity +
+                                        weights.b1 * old.angular_velocity;
+            }
+      }
+
+    VectorType                        convection;
+    std::unique_ptr<StressModel<dim>> stress;
+    if (parameters.viscoelastic())
+      {
+        convection = next.flow.velocity;
+        convection -= mesh_velocity;
+        convection.update_ghost_values();
+        stress = std::make_unique<StressPrediction<dim>>(
+          Giesekus<dim>(parameters.giesekus),
+          step,
+          now.log_conformation,
+          before.log_conformation.empty() ? now.log_conformation :
+                                            before.log_conformation,
+          convection);
+      }
+    else
+      stress = std::make_unique<NewtonianStress<dim>>();
+
+    {
+      const auto timer = run_report.time("flow: assembly");
+      flow_solver.assemble(next.configuration, *stress);
+    }
+    const auto timer = run_report.time("flow: solve");
+    const unsigned int iterations =
+      flow_solver.solve(next.flow,
+                        contacts.held(next.configuration),
+                        external_forces(next.time));
+    if (reactions)
+      *reactions = particle_forces<dim>(
+        mesh(), bodies, next.configuration, *stress, next.flow);
+    return iterations;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  Simulation<dim>::solve_conformation(Level<dim>       &next,
+                                      const TimeStep   &step,
+                                      const VectorType &mesh_velocity)
+  {
+    const auto            timer   = run_report.time("conformation");
+    const TwoLevelWeights weights = step.extrapolation();
+    const auto           &now     = state.now.log_conformation;
+    const auto &before = state.before.log_conformation.empty() ?
+                           now :
+                           state.before.log_conformation;
+    for (unsigned int k = 0; k < now.size(); ++k)
+      next.log_conformation.push_back(combine(weights, now[k], before[k]));
+    return conformation_solver->solve(next.log_conformation,
+                                      now,
+                                      before,
+                                      next.flow.velocity,
+                                      mesh_velocity,
+                                      step);
+  }
+
+
+
+  /**
+   * The particles are free from now on; what held them is let go gradually.
+   */
+  template <int dim>
+  void
+  Simulation<dim>::let_go(const std::vector<double> &reactions)
+  {
+    state.now.time       = 0.;
+    state.holding_forces = reactions;
+    held                 = false;
+    bodies.hold_in_place(false);
+    for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)
+      if (bodies.unknown(k).rotation)
+        state.holding_forces[k] = 0.;
+    set_up_solvers();
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  Simulation<dim>::external_forces(const double time) const
+  {
+    std::vector<double> forces = state.holding_forces;
+    for (double &force : forces)
+      force *= held ? 0. : std::max(0., 1. - time);
+    return forces;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                    \
+  template double string_angle<dim>(const Scene<dim> &,                     \
+                                    const std::vector<Point<dim>> &,        \
+                                    const double);                          \
+  template class Simulation<dim>;
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Catena

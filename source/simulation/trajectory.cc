@@ -1,0 +1,174 @@
+#include <catena/conformation/conformation_solver.h>
+#include <catena/simulation/trajectory.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace Catena
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// F_S = 6 pi eta0 gamma a^2, the unit in which forces are written.
+    constexpr double stokes_force = 6. * numbers::PI;
+
+    const std::array<std::string, 3> axes = {{"x", "y", "z"}};
+
+    std::string
+    name(const std::string &quantity, const unsigned int particle)
+    {
+      return quantity + "_" + std::to_string(particle);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Trajectory<dim>::Trajectory(const std::string     &path,
+                              const Simulation<dim> &simulation,
+                              const MPI_Comm         communicator)
+    : simulation(simulation)
+    , table(path, communicator)
+  {
+    declare_columns();
+  }
+
+
+
+  template <int dim>
+  void
+  Trajectory<dim>::declare_columns()
+  {
+    const unsigned int n =
+      simulation.current_state().now.configuration.centres.size();
+    table.declare("strain");
+    table.declare("dt", "1/gamma");
+    table.declare("theta", "deg");
+    table.declare("gap", "2a");
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < i; ++j)
+        table.declare("distance_" + std::to_string(j) + "_" +
+                        std::to_string(i),
+                      "a");
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        for (unsigned int d = 0; d < dim; ++d)
+          table.declare(name(axes[d], i), "a");
+        for (unsigned int d = 0; d < dim; ++d)
+          table.declare(name("u" + axes[d], i), "a gamma");
+        for (unsigned int d = (dim == 2 ? 2 : 0); d < 3; ++d)
+          table.declare(d == 2 ? name("omega", i) : name("omega" + axes[d], i),
+                        "gamma");
+        for (unsigned int d = 0; d < dim; ++d)
+          table.declare(name("F" + axes[d], i), "F_S");
+      }
+    table.declare("F_r", "F_S");
+    table.declare("held_contacts");
+    table.declare("smallest_eigenvalue_c");
+    table.declare("largest_trace_tau", "G");
+    table.declare("mesh_quality");
+    table.declare("elements");
+    table.declare("remeshed");
+    table.declare("flow_iterations");
+    table.declare("conformation_iterations");
+    table.declare("seconds", "s");
+  }
+
+
+
+  template <int dim>
+  void
+  Trajectory<dim>::add_particles()
+  {
+    const Level<dim>          &now    = simulation.current_state().now;
+    const RigidBodies<dim>    &bodies = simulation.rigid_bodies();
+    const std::vector<double> &forces = simulation.external_forces(now.time);
+    const auto                &x      = now.configuration.centres;
+    for (unsigned int i = 0; i < x.size(); ++i)
+      {
+        for (unsigned int j = 0; j < i; ++j)
+          table.add("distance_" + std::to_string(j) + "_" + std::to_string(i),
+                    x[i].distance(x[j]));
+        const RigidMotion<dim> &motion = now.flow.motions[i];
+        Tensor<1, dim>          force;
+        const auto              range = bodies.range(i);
+        for (unsigned int k = range.first; k < range.second; ++k)
+          if (!bodies.unknown(k).rotation)
+            force[bodies.unknown(k).axis] = forces[k];
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            table.add(name(axes[d], i), x[i][d]);
+            table.add(name("u" + axes[d], i), motion.velocity[d]);
+            table.add(name("F" + axes[d], i), force[d] / stokes_force);
+          }
+        for (unsigned int d = (dim == 2 ? 2 : 0); d < 3; ++d)
+          table.add(d == 2 ? name("omega", i) : name("omega" + axes[d], i),
+                    motion.angular_velocity[d]);
+      }
+  }
+
+
+
+  /**
+   * F_r is the force of the contacts together: that of the string where there
+   * is one.
+   */
+  template <int dim>
+  void
+  Trajectory<dim>::add_contacts()
+  {
+    const Level<dim> &now = simulation.current_state().now;
+    table.add("gap",
+              simulation.contact_set().smallest_gap(now.configuration));
+    table.add("F_r",
+              std::accumulate(now.flow.contact_forces.begin(),
+                              now.flow.contact_forces.end(),
+                              0.) /
+                stokes_force);
+    table.add("held_contacts", now.flow.contact_forces.size());
+  }
+
+
+
+  template <int dim>
+  void
+  Trajectory<dim>::add_conformation()
+  {
+    ConformationExtremes extremes;
+    const auto &s = simulation.current_state().now.log_conformation;
+    if (!s.empty())
+      extremes = conformation_extremes<dim>(simulation.mesh(), s);
+    table.add("smallest_eigenvalue_c", extremes.smallest_eigenvalue);
+    table.add("largest_trace_tau", extremes.largest_trace);
+  }
+
+
+
+  template <int dim>
+  void
+  Trajectory<dim>::record(const StepReport &step)
+  {
+    const Level<dim> &now = simulation.current_state().now;
+    table.add("strain", now.time);
+    table.add("dt", step.dt);
+    table.add("theta", now.configuration.frame_angle * 180. / numbers::PI);
+    add_particles();
+    add_contacts();
+    add_conformation();
+    table.add("mesh_quality", simulation.mesh().quality());
+    table.add("elements", simulation.mesh().n_global_cells());
+    table.add("remeshed", step.remeshed ? 1. : 0.);
+    table.add("flow_iterations", step.flow_iterations);
+    table.add("conformation_iterations", step.conformation_iterations);
+    table.add("seconds", step.seconds);
+    table.write_row();
+  }
+
+
+
+  template class Trajectory<2>;
+  template class Trajectory<3>;
+} // namespace Catena
