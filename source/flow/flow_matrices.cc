@@ -302,6 +302,47 @@ namespace Catena
           CsrAccess(pressure_rigid, mesh.owned_scalars(), rigid_relevant);
       }
     make_component_matrices(couplings, nodes);
+    find_offsets(couplings);
+  }
+
+
+
+  template <int dim>
+  void
+  FlowMatrices<dim>::find_offsets(
+    const std::vector<NodeCoupling<dim>> &couplings)
+  {
+    offsets.assign(mesh.cells().size(), Offsets());
+    for (unsigned int c = 0; c < offsets.size(); ++c)
+      {
+        const auto &cell = mesh.cells()[c];
+        for (unsigned int b = 0; b < Offsets::n_nodes; ++b)
+          {
+            const NodeCoupling<dim> &trial = couplings[cell.nodes[b]];
+            if (!trial.has_unknown())
+              continue;
+            for (unsigned int a = 0; a < Offsets::n_nodes; ++a)
+              {
+                const NodeCoupling<dim> &test = couplings[cell.nodes[a]];
+                const int row = velocity_access.row(dim * test.master);
+                if (test.has_unknown() && row != CsrAccess::absent)
+                  offsets[c].velocity[a][b] = velocity_access.offset(
+                    row, velocity_access.column(dim * trial.master));
+              }
+            const int gradient_row = gradient_access.row(dim * trial.master);
+            for (unsigned int v = 0; v < Offsets::n_vertices; ++v)
+              {
+                const unsigned int vertex = pressure_master(cell.vertices[v]);
+                const int          row    = divergence_access.row(vertex);
+                if (row != CsrAccess::absent)
+                  offsets[c].divergence[v][b] = divergence_access.offset(
+                    row, divergence_access.column(dim * trial.master));
+                if (gradient_row != CsrAccess::absent)
+                  offsets[c].gradient[v][b] = gradient_access.offset(
+                    gradient_row, gradient_access.column(vertex));
+              }
+          }
+      }
   }
 
 
@@ -371,9 +412,10 @@ namespace Catena
     CellValues<dim> &values = body_force ? precise_values : standard_values;
     std::vector<StressCoefficients<dim>> coefficients;
     Element                              element;
-    for (const auto &cell : mesh.cells())
+    for (unsigned int c = 0; c < mesh.cells().size(); ++c)
       {
-        const auto positions = mesh.cell_positions(cell, mesh.positions());
+        const auto &cell      = mesh.cells()[c];
+        const auto  positions = mesh.cell_positions(cell, mesh.positions());
         values.reinit(positions, cell.curved);
         stress.evaluate(cell, values, coefficients);
 
@@ -386,10 +428,11 @@ namespace Catena
                                      positions,
                                      *body_force);
           }
-        element.condense_known_velocities();
+        if (element.touches_particle)
+          element.condense_known_velocities();
 
-        add_velocity_block(element);
-        add_pressure_blocks(element);
+        add_velocity_block(element, offsets[c]);
+        add_pressure_blocks(element, offsets[c]);
         add_right_hand_side(element);
         if (element.touches_particle)
           add_rigid_blocks(element);
@@ -403,32 +446,25 @@ namespace Catena
 
   template <int dim>
   void
-  FlowMatrices<dim>::add_velocity_block(const Element &element)
+  FlowMatrices<dim>::add_velocity_block(const Element &element,
+                                        const Offsets &offset)
   {
-    std::array<int, Element::n_nodes> columns;
-    for (unsigned int b = 0; b < Element::n_nodes; ++b)
-      columns[b] = element.couplings[b]->has_unknown() ?
-                     velocity_access.column(dim * element.couplings[b]->master) :
-                     CsrAccess::absent;
-
     for (unsigned int a = 0; a < Element::n_nodes; ++a)
       {
         const NodeCoupling<dim> &test = *element.couplings[a];
-        if (!test.has_unknown())
-          continue;
         const int row = velocity_access.row(dim * test.master);
-        if (row == CsrAccess::absent)
+        if (!test.has_unknown() || row == CsrAccess::absent)
           continue;
         for (unsigned int b = 0; b < Element::n_nodes; ++b)
           {
-            if (columns[b] == CsrAccess::absent)
+            if (!element.couplings[b]->has_unknown())
               continue;
-            const auto &trial  = element.couplings[b]->factors;
-            const auto &block  = element.velocity[a][b];
-            const int   offset = velocity_access.offset(row, columns[b]);
+            const auto &trial = element.couplings[b]->factors;
+            const auto &block = element.velocity[a][b];
             for (unsigned int i = 0; i < dim; ++i)
               {
-                double *entries = velocity_access.values(row + i) + offset;
+                double *entries =
+                  velocity_access.values(row + i) + offset.velocity[a][b];
                 for (unsigned int j = 0; j < dim; ++j)
                   entries[j] += test.factors[i] * block[dim * i + j] * trial[j];
               }
@@ -440,13 +476,13 @@ namespace Catena
 
   template <int dim>
   void
-  FlowMatrices<dim>::add_pressure_blocks(const Element &element)
+  FlowMatrices<dim>::add_pressure_blocks(const Element &element,
+                                         const Offsets &offset)
   {
     for (unsigned int v = 0; v < Element::n_vertices; ++v)
       {
         const unsigned int master = pressure_master(element.cell->vertices[v]);
         const int          row    = divergence_access.row(master);
-        const int          column = gradient_access.column(master);
         for (unsigned int b = 0; b < Element::n_nodes; ++b)
           {
             const NodeCoupling<dim> &node = *element.couplings[b];
@@ -456,20 +492,16 @@ namespace Catena
             if (row != CsrAccess::absent)
               {
                 double *entries =
-                  divergence_access.values(row) +
-                  divergence_access.offset(
-                    row, divergence_access.column(dim * node.master));
+                  divergence_access.values(row) + offset.divergence[v][b];
                 for (unsigned int j = 0; j < dim; ++j)
                   entries[j] += value[j] * node.factors[j];
               }
             const int gradient_row = gradient_access.row(dim * node.master);
             if (gradient_row != CsrAccess::absent)
-              {
-                const int offset = gradient_access.offset(gradient_row, column);
-                for (unsigned int j = 0; j < dim; ++j)
-                  gradient_access.values(gradient_row + j)[offset] +=
-                    value[j] * node.factors[j];
-              }
+              for (unsigned int j = 0; j < dim; ++j)
+                gradient_access.values(
+                  gradient_row + j)[offset.gradient[v][b]] +=
+                  value[j] * node.factors[j];
           }
       }
   }

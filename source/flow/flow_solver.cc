@@ -38,6 +38,9 @@ namespace Catena
 
   namespace
   {
+    /// cost of a new preconditioner, in iterations
+    constexpr unsigned int set_up_cost = 30;
+
     /**
      * The system of FlowMatrices with contacts, applied block by block.
      */
@@ -330,10 +333,13 @@ namespace Catena
     if (!std::isfinite(solution.l2_norm()))
       throw SolverError("The flow solver gave values that are not finite.");
 
-    if (preconditioner_is_fresh)
-      fresh_iterations = iterations;
-    else if (iterations > fresh_iterations + fresh_iterations / 2 + 8)
-      preconditioner_is_due = true;
+    best_iterations = preconditioner_is_fresh ?
+                        iterations :
+                        std::min(best_iterations, iterations);
+    iterations_lost = preconditioner_is_fresh ?
+                        0 :
+                        iterations_lost + iterations - best_iterations;
+    preconditioner_is_due = iterations_lost > set_up_cost;
     extract(solution, fields);
     return iterations;
   }

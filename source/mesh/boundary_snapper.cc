@@ -63,8 +63,7 @@ namespace Catena
       for (const auto id : ids[v])
         if (id >= BoundaryIds::particle)
           {
-            const auto &particle =
-              scene.particles[id - BoundaryIds::particle];
+            const auto &particle = scene.particles[id - BoundaryIds::particle];
 
             // only coordinates that no plane prescribes are scaled
             std::array<bool, dim> fixed = {};
@@ -82,8 +81,8 @@ namespace Catena
             if (free > 0. && wanted > 0.)
               for (unsigned int d = 0; d < dim; ++d)
                 if (!fixed[d])
-                  p[d] = particle.centre[d] + (p[d] - particle.centre[d]) *
-                                                std::sqrt(wanted / free);
+                  p[d] = particle.centre[d] +
+                         (p[d] - particle.centre[d]) * std::sqrt(wanted / free);
           }
   }
 
@@ -132,9 +131,8 @@ namespace Catena
     for (const unsigned int v : face)
       x += identification.image(mesh.vertices[v])[0] / dim;
     const double period = identification.period;
-    return period > 0. ?
-             -period * std::floor((x - scene.lower()[0]) / period) :
-             0.;
+    return period > 0. ? -period * std::floor((x - scene.lower()[0]) / period) :
+                         0.;
   }
 
 

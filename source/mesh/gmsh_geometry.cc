@@ -22,10 +22,9 @@ namespace Catena
         {{scene.lower()[2], scene.upper()[2]}}};
       for (const auto &particle : scene.particles)
         {
-          const Point<3> &c    = particle.centre;
-          const double    rho2 = (x - c[0]) * (x - c[0]) +
-                              (y - c[1]) * (y - c[1]);
-          const double r2      = particle.radius * particle.radius;
+          const Point<3> &c = particle.centre;
+          const double rho2 = (x - c[0]) * (x - c[0]) + (y - c[1]) * (y - c[1]);
+          const double r2   = particle.radius * particle.radius;
           if (rho2 >= r2)
             continue;
           const double reach = std::sqrt(r2 - rho2);
@@ -143,16 +142,11 @@ namespace Catena
     const double      radius = particle.radius;
     const Point<dim> &c      = particle.centre;
     const double      z      = dim == 3 ? c[dim - 1] : 0.;
-    const int tag = dim == 3 ? gmsh::model::occ::addSphere(c[0], c[1], z, radius) :
-                               gmsh::model::occ::addDisk(c[0], c[1], z, radius, radius);
-    gmsh::model::occ::rotate({{dim, tag}},
-                             c[0],
-                             c[1],
-                             z,
-                             0.,
-                             0.,
-                             1.,
-                             seam_angle(scene, particle));
+    const int         tag    = dim == 3 ?
+                                 gmsh::model::occ::addSphere(c[0], c[1], z, radius) :
+                                 gmsh::model::occ::addDisk(c[0], c[1], z, radius, radius);
+    gmsh::model::occ::rotate(
+      {{dim, tag}}, c[0], c[1], z, 0., 0., 1., seam_angle(scene, particle));
     return tag;
   }
 

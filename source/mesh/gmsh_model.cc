@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
 #include <vector>
 
 namespace Catena
@@ -51,22 +52,23 @@ namespace Catena
     void
     call_gmsh(const std::string &purpose, const Function &function)
     {
-      const std::string remedy =
-        "; look for particles that nearly touch a plane, or change the "
-        "resolution";
+      const auto fail = [&](std::string reason) {
+        std::replace(reason.begin(), reason.end(), '\n', ' ');
+        throw MeshError("gmsh could not " + purpose + ": " + reason +
+                        "; look for particles that nearly touch a plane, or "
+                        "change the resolution");
+      };
       try
         {
           function();
         }
       catch (const std::string &message)
         {
-          throw MeshError("gmsh could not " + purpose + ": " + message +
-                          remedy);
+          fail(message);
         }
       catch (const int code)
         {
-          throw MeshError("gmsh could not " + purpose + ": error " +
-                          std::to_string(code) + remedy);
+          fail("error " + std::to_string(code));
         }
     }
 
@@ -157,26 +159,21 @@ namespace Catena
 
 
   template <int dim>
-  GmshModel<dim>::GmshModel(const Scene<dim> &scene)
-    : scene(scene)
-    , name("Catena")
+  GmshModel<dim>::Registration::Registration()
   {
-    call_gmsh("build the geometry", [&]() {
+    static unsigned int n_models = 0;
+    name                         = "Catena" + std::to_string(n_models++);
+    call_gmsh("start", [&]() {
       GmshSession::start();
-      set_options(MeshingOptions());
+      gmsh::option::setNumber("General.Terminal", 0);
       gmsh::model::add(name);
-      build_block();
-      split_identified_planes();
-      gmsh::model::occ::synchronize();
-      classify_surfaces();
-      identify_surfaces();
     });
   }
 
 
 
   template <int dim>
-  GmshModel<dim>::~GmshModel()
+  GmshModel<dim>::Registration::~Registration()
   {
     try
       {
@@ -184,7 +181,24 @@ namespace Catena
         gmsh::model::remove();
       }
     catch (...)
-      {}
+      {
+        // nothing to remove
+      }
+  }
+
+
+
+  template <int dim>
+  GmshModel<dim>::GmshModel(const Scene<dim> &scene)
+    : scene(scene)
+  {
+    call_gmsh("build the geometry", [&]() {
+      build_block();
+      split_identified_planes();
+      gmsh::model::occ::synchronize();
+      classify_surfaces();
+      identify_surfaces();
+    });
   }
 
 
@@ -199,9 +213,10 @@ namespace Catena
     const dealii::Tensor<1, dim> size = scene.upper() - low;
 
     const int block =
-      dim == 3 ? occ::addBox(
-                   low[0], low[1], low[dim - 1], size[0], size[1], size[dim - 1]) :
-                 occ::addRectangle(low[0], low[1], 0., size[0], size[1]);
+      dim == 3 ?
+        occ::addBox(
+          low[0], low[1], low[dim - 1], size[0], size[1], size[dim - 1]) :
+        occ::addRectangle(low[0], low[1], 0., size[0], size[1]);
     gmsh::vectorpair spheres;
     for (const auto &particle : scene.particles)
       spheres.emplace_back(dim, add_particle(scene, particle));
@@ -229,10 +244,10 @@ namespace Catena
         for (const double position : split_positions(scene, identification))
           {
             const bool on_y = identification.from == BoundaryIds::y_low;
-            const auto part = splitting_entities(scene,
-                                                 on_y ? position :
-                                                        identification.shift,
-                                                 on_y ? 0. : position);
+            const auto part =
+              splitting_entities(scene,
+                                 on_y ? position : identification.shift,
+                                 on_y ? 0. : position);
             tools.insert(tools.end(), part.begin(), part.end());
           }
     if (tools.empty())
@@ -337,12 +352,12 @@ namespace Catena
 
   template <int dim>
   MeshDescription<dim>
-  GmshModel<dim>::generate(const SizeField<dim>  &size,
+  GmshModel<dim>::generate(const SizeField<dim> &size,
                            const MeshingOptions &options)
   {
     MeshDescription<dim> mesh;
     call_gmsh("make the mesh", [&]() {
-      gmsh::model::setCurrent(name);
+      gmsh::model::setCurrent(registration.name);
       gmsh::model::mesh::clear();
       set_options(options);
       const SizeCallback callback(size);
@@ -366,30 +381,28 @@ namespace Catena
 
     std::vector<std::size_t> node_tags, elements, nodes;
     std::vector<double>      coordinates, parameters;
-    gmsh::model::mesh::getNodes(node_tags, coordinates, parameters, -1, -1, false, false);
+    gmsh::model::mesh::getNodes(
+      node_tags, coordinates, parameters, -1, -1, false, false);
     gmsh::model::mesh::getElementsByType(cell_type, elements, nodes);
 
-    MeshDescription<dim>      mesh;
-    constexpr unsigned int    unused = dealii::numbers::invalid_unsigned_int;
-    std::vector<unsigned int> number;
+    MeshDescription<dim>                          mesh;
+    std::unordered_map<std::size_t, unsigned int> number;
     for (const std::size_t tag : nodes)
-      {
-        if (tag >= number.size())
-          number.resize(tag + 1, unused);
-        number[tag] = 0;
-      }
+      number[tag] = 0;
     for (std::size_t i = 0; i < node_tags.size(); ++i)
-      if (node_tags[i] < number.size() && number[node_tags[i]] != unused)
-        {
-          number[node_tags[i]] = mesh.vertices.size();
-          mesh.vertices.emplace_back();
-          for (unsigned int d = 0; d < dim; ++d)
-            mesh.vertices.back()[d] = coordinates[3 * i + d];
-        }
+      {
+        const auto used = number.find(node_tags[i]);
+        if (used == number.end())
+          continue;
+        used->second = mesh.vertices.size();
+        mesh.vertices.emplace_back();
+        for (unsigned int d = 0; d < dim; ++d)
+          mesh.vertices.back()[d] = coordinates[3 * i + d];
+      }
 
     mesh.cells.assign(elements.size(), dealii::CellData<dim>(dim + 1));
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      mesh.cells[i / (dim + 1)].vertices[i % (dim + 1)] = number[nodes[i]];
+      mesh.cells[i / (dim + 1)].vertices[i % (dim + 1)] = number.at(nodes[i]);
 
     for (const auto &group : surfaces)
       for (const int tag : group.second)
@@ -403,7 +416,13 @@ namespace Catena
               dealii::CellData<dim - 1> face(dim);
               face.boundary_id = group.first;
               for (unsigned int k = 0; k < dim; ++k)
-                face.vertices[k] = number.at(nodes[dim * i + k]);
+                {
+                  const auto found = number.find(nodes[dim * i + k]);
+                  if (found == number.end())
+                    throw MeshError("gmsh left part of the block without "
+                                    "cells; change the resolution");
+                  face.vertices[k] = found->second;
+                }
               if constexpr (dim == 3)
                 mesh.boundary.boundary_quads.push_back(face);
               else

@@ -79,7 +79,7 @@ namespace Catena
     remove_flat_cells(MeshDescription<3> &mesh)
     {
       using Face = std::array<unsigned int, 3>;
-      std::map<Face, unsigned int>             number;
+      std::map<Face, unsigned int>            number;
       std::vector<dealii::types::boundary_id> on(mesh.vertices.size(), 0);
 
       auto &faces = boundary_faces(mesh);
@@ -172,14 +172,17 @@ namespace Catena
 
       std::vector<unsigned int> order(mesh.cells.size());
       std::iota(order.begin(), order.end(), 0);
-      std::sort(order.begin(), order.end(), [&](unsigned int a, unsigned int b) {
-        return positions[a] != positions[b] ? positions[a] < positions[b] :
-                                              a < b;
-      });
+      std::sort(order.begin(),
+                order.end(),
+                [&](unsigned int a, unsigned int b) {
+                  return positions[a] != positions[b] ?
+                           positions[a] < positions[b] :
+                           a < b;
+                });
 
-      constexpr unsigned int unset = dealii::numbers::invalid_unsigned_int;
-      std::vector<unsigned int>          number(mesh.vertices.size(), unset);
-      std::vector<Point<dim>>            vertices;
+      constexpr unsigned int    unset = dealii::numbers::invalid_unsigned_int;
+      std::vector<unsigned int> number(mesh.vertices.size(), unset);
+      std::vector<Point<dim>>   vertices;
       std::vector<dealii::CellData<dim>> cells;
       cells.reserve(order.size());
       for (const unsigned int c : order)

@@ -22,8 +22,8 @@ namespace Catena
   double
   simplex_volume<3>(const std::array<Point<3>, 4> &v)
   {
-    return (v[1] - v[0]) *
-           dealii::cross_product_3d(v[2] - v[0], v[3] - v[0]) / 6.;
+    return (v[1] - v[0]) * dealii::cross_product_3d(v[2] - v[0], v[3] - v[0]) /
+           6.;
   }
 
 

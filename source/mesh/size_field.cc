@@ -43,10 +43,10 @@ namespace Catena
   SizeField<dim>::SizeField(const Scene<dim>     &scene,
                             const MeshParameters &parameters,
                             const double          scale)
-    : growth(std::min(largest_growth,
-                      parameters.growth *
-                        std::pow(64. / parameters.elements_on_equator,
-                                 2. / 3.)))
+    : growth(
+        std::min(largest_growth,
+                 parameters.growth *
+                   std::pow(64. / parameters.elements_on_equator, 2. / 3.)))
     , maximal_size(parameters.maximal_size)
     , elements_on_equator(parameters.elements_on_equator)
     , elements_across_gap(parameters.elements_across_gap)
@@ -106,9 +106,9 @@ namespace Catena
     for (auto &sphere : spheres)
       for (unsigned int i = 0; i < planes.size(); ++i)
         {
-          const double width = std::abs(sphere.centre[planes[i].direction] -
-                                        planes[i].position) -
-                               sphere.radius;
+          const double width =
+            std::abs(sphere.centre[planes[i].direction] - planes[i].position) -
+            sphere.radius;
           if (width > 0. && width < maximal_size * planes[i].elements_across)
             sphere.planes.push_back(i);
         }
@@ -152,8 +152,7 @@ namespace Catena
         for (const unsigned int i : sphere.planes)
           {
             const double width =
-              distance +
-              std::abs(p[planes[i].direction] - planes[i].position);
+              distance + std::abs(p[planes[i].direction] - planes[i].position);
             size = std::min(size, width / planes[i].elements_across);
           }
       }

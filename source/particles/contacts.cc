@@ -158,9 +158,9 @@ namespace Catena
             const auto   r        = separation(configuration, pair);
             const double distance = r.first.norm();
             const double missing  = held_distance(pair) - distance;
-            if (missing > 0.)
+            if (missing > 0. && !pair.just_released)
               pair.is_held = true;
-            if (!pair.is_held)
+            if (!pair.is_held && missing <= 0.)
               continue;
 
             error = std::max(error, std::abs(missing));
@@ -174,8 +174,10 @@ namespace Catena
               configuration.centres[pair.j] -= turn<dim>(move, r.second);
           }
         if (error < 1e-13)
-          return;
+          break;
       }
+    for (Pair &pair : pairs)
+      pair.just_released = false;
   }
 
 
@@ -187,7 +189,10 @@ namespace Catena
     unsigned int c = 0;
     for (Pair &pair : pairs)
       if (pair.is_held && forces[c++] < 0.)
-        pair.is_held = false;
+        {
+          pair.is_held       = false;
+          pair.just_released = true;
+        }
   }
 
 

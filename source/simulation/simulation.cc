@@ -14,8 +14,7 @@ namespace Catena
   template <int dim>
   double
   string_angle(const Scene<dim>              &scene,
-               const std::vector<Point<dim>> &centres,
-               const double                   reference)
+               const std::vector<Point<dim>> &centres)
   {
     Tensor<1, dim> line;
     if (scene.rotational())
@@ -35,8 +34,7 @@ namespace Catena
     else
       return 0.;
 
-    const double angle = std::atan2(line[1], line[0]);
-    return reference + std::remainder(angle - reference, 2. * numbers::PI);
+    return std::atan2(line[1], line[0]);
   }
 
 
@@ -104,7 +102,7 @@ namespace Catena
     for (const Particle<dim> &p : scene.particles)
       now.configuration.centres.push_back(p.centre);
     now.configuration.frame_angle =
-      string_angle<dim>(scene, now.configuration.centres, 0.);
+      string_angle<dim>(scene, now.configuration.centres);
     contacts.enforce(now.configuration);
 
     {
@@ -236,7 +234,11 @@ namespace Catena
             step.dt * weights.b1 * state.before.flow.motions[i].velocity;
       }
     contacts.enforce(next);
-    next.frame_angle = string_angle<dim>(scene, next.centres, next.frame_angle);
+    // a string turned by half a turn is the same string
+    const double turn =
+      string_angle<dim>(scene, next.centres) -
+      string_angle<dim>(scene, state.now.configuration.centres);
+    next.frame_angle += std::remainder(turn, numbers::PI);
     return next;
   }
 
@@ -419,8 +421,7 @@ namespace Catena
 
 #define INSTANTIATE(dim)                                                    \
   template double string_angle<dim>(const Scene<dim> &,                     \
-                                    const std::vector<Point<dim>> &,        \
-                                    const double);                          \
+                                    const std::vector<Point<dim>> &);       \
   template class Simulation<dim>;
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "../tests.h"
+
 #include "scenes.h"
 
 using namespace dealii;
@@ -67,7 +68,7 @@ find_points(Tests::Claims &claims, const bool curved)
   const auto        scene = Tests::three_particles<dim>();
   const auto        mesh  = generate_mesh(scene, Tests::resolution(32, 2));
   const auto        cells = Tests::quadratic_nodes(scene, mesh, curved);
-  const std::string in    = std::string(curved ? " (curved, " : " (straight, ") +
+  const std::string in = std::string(curved ? " (curved, " : " (straight, ") +
                          std::to_string(dim) + "D)";
   claims.at_least("no cell is inverted" + in,
                   smallest_jacobian_ratio<dim>(cells),

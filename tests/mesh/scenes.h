@@ -107,10 +107,10 @@ namespace Catena
             x[v] = mesh.vertices[cell.vertices[v]];
           for (unsigned int i = dim + 1; i < x.size(); ++i)
             {
-              const auto edge  = simplex_edge(i - dim - 1);
-              x[i]             = x[edge[0]] + (x[edge[1]] - x[edge[0]]) / 2.;
-              const auto found = edges.find(
-                {{cell.vertices[edge[0]], cell.vertices[edge[1]]}});
+              const auto edge = simplex_edge(i - dim - 1);
+              x[i]            = x[edge[0]] + (x[edge[1]] - x[edge[0]]) / 2.;
+              const auto found =
+                edges.find({{cell.vertices[edge[0]], cell.vertices[edge[1]]}});
               if (found == edges.end())
                 continue;
               const auto &particle = scene.particles[found->second];

@@ -103,7 +103,25 @@ namespace Catena
       velocity_rigid_access, rigid_velocity_access, pressure_rigid_access,
       mass_access;
 
+    /**
+     * Where in their rows the entries of a cell's node pairs are stored, found
+     * once for each pattern.
+     */
+    struct Offsets
+    {
+      static constexpr unsigned int n_nodes    = n_quadratic_nodes(dim);
+      static constexpr unsigned int n_vertices = n_linear_nodes(dim);
+
+      std::array<std::array<unsigned short, n_nodes>, n_nodes>    velocity;
+      std::array<std::array<unsigned short, n_nodes>, n_vertices> divergence;
+      std::array<std::array<unsigned short, n_nodes>, n_vertices> gradient;
+    };
+    std::vector<Offsets> offsets;
+
     struct Element;
+
+    void
+    find_offsets(const std::vector<NodeCoupling<dim>> &couplings);
 
     unsigned int
     pressure_master(const unsigned int vertex) const;
@@ -116,10 +134,10 @@ namespace Catena
                             const dealii::DynamicSparsityPattern &nodes);
 
     void
-    add_velocity_block(const Element &element);
+    add_velocity_block(const Element &element, const Offsets &offset);
 
     void
-    add_pressure_blocks(const Element &element);
+    add_pressure_blocks(const Element &element, const Offsets &offset);
 
     void
     add_rigid_blocks(const Element &element);

@@ -56,8 +56,9 @@ namespace Catena
    *   force and torque of the fluid + F_external + F_r = 0,
    *
    * for the disturbance of the imposed shear flow, by FGMRES with
-   * FlowPreconditioner. The matrices' sparsity is kept as long as the mesh is,
-   * the preconditioner until iterations have grown by half.
+   * FlowPreconditioner. The matrices' sparsity is kept as long as the mesh is.
+   * The preconditioner is kept until the iterations lost since it was made,
+   * against its best solve, would have paid for a new one.
    */
   template <int dim>
   class FlowSolver
@@ -120,7 +121,7 @@ namespace Catena
     std::unique_ptr<FlowMatrices<dim>>     matrices;
     FlowPreconditioner<dim>                preconditioner;
     bool         preconditioner_is_due = true, preconditioner_is_fresh = false;
-    unsigned int fresh_iterations = 0;
+    unsigned int best_iterations = 0, iterations_lost = 0;
 
     void
     assemble_matrices();

@@ -43,14 +43,6 @@ namespace Catena
     /// Build the geometry as the current gmsh model.
     explicit GmshModel(const Scene<dim> &scene);
 
-    /// Remove the model from gmsh.
-    ~GmshModel();
-
-    GmshModel(const GmshModel &) = delete;
-
-    GmshModel &
-    operator=(const GmshModel &) = delete;
-
     /**
      * Make the mesh and return vertices, cells and boundary faces as gmsh
      * numbers them, without vertices that no cell uses.
@@ -59,6 +51,20 @@ namespace Catena
     generate(const SizeField<dim> &size, const MeshingOptions &options);
 
   private:
+    /// A model of gmsh, there as long as this object.
+    struct Registration
+    {
+      Registration();
+      ~Registration();
+
+      Registration(const Registration &) = delete;
+
+      Registration &
+      operator=(const Registration &) = delete;
+
+      std::string name;
+    };
+
     /// Tags of the surfaces (curves for dim = 2) with a boundary id.
     using Surfaces = std::map<dealii::types::boundary_id, std::vector<int>>;
 
@@ -80,10 +86,10 @@ namespace Catena
     MeshDescription<dim>
     extract() const;
 
-    const Scene<dim> scene;
-    std::string      name;
-    int              volume = 0;
-    Surfaces         surfaces;
+    const Scene<dim>   scene;
+    const Registration registration;
+    int                volume = 0;
+    Surfaces           surfaces;
   };
 } // namespace Catena
 

@@ -4,6 +4,7 @@
 #include <catena/scene/scene.h>
 
 #include <deal.II/base/parameter_handler.h>
+
 #include <deal.II/grid/tria_description.h>
 
 #include <vector>
@@ -27,6 +28,7 @@ namespace Catena
     /// smallest quality (radius ratio, 1 for the regular simplex) accepted
     double minimal_quality = 0.1;
 
+    /// Declare the entries in the current subsection.
     void
     declare(dealii::ParameterHandler &parameters);
 
@@ -50,17 +52,24 @@ namespace Catena
     double quality = 0.;
     /// how many meshes were made until one was accepted
     unsigned int attempts = 0;
+
+    /// a mesh that took more attempts than this may differ the next time
+    static constexpr unsigned int n_reproducible_attempts = 6;
   };
 
   /**
    * Mesh the scene: nodes on identified planes match one to one, the vertices
-   * on particles lie on the spheres. The same input gives the same mesh.
+   * on particles lie on the spheres, no cell has two faces on a particle. Cells
+   * are ordered along a Hilbert curve and vertices as the cells meet them.
    *
-   * A mesh whose quality is below the minimum is made again with defined
-   * changes (sizes, then algorithm); cells are ordered along a space-filling
-   * curve.
+   * A mesh with a cell below the minimal quality is made again: with all sizes
+   * times 0.97, 1.03 and 0.94, then with more optimisation (sizes times 1 and
+   * 0.91), then by another algorithm. The same input gives the same mesh, bit
+   * by bit, except for that last resort (`attempts` above
+   * `n_reproducible_attempts`).
    *
-   * @throws MeshError if no attempt gives an acceptable mesh.
+   * @throws MeshError if no attempt gives an acceptable mesh, InputError if the
+   * parameters make no sense.
    */
   template <int dim>
   MeshDescription<dim>

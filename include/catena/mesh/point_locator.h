@@ -5,6 +5,7 @@
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/point.h>
+
 #include <deal.II/numerics/rtree.h>
 
 #include <array>

@@ -67,8 +67,9 @@ namespace Catena
     n_held() const;
 
     /**
-     * Hold the pairs whose gap is below the minimum and move all held pairs
-     * to exactly that distance, symmetrically, along their lines of centres.
+     * Hold the pairs whose gap is below the minimum, unless they have only
+     * just been let go, and move all these to exactly the smallest distance,
+     * symmetrically, along their lines of centres.
      */
     void
     enforce(Configuration<dim> &configuration);
@@ -88,7 +89,8 @@ namespace Catena
     struct Pair
     {
       unsigned int i, j;
-      bool         is_held = false;
+      bool         is_held       = false;
+      bool         just_released = false;
     };
 
     const Scene<dim>  scene;

@@ -168,16 +168,14 @@ namespace Catena
 
 
   /**
-   * Angle of the line of centres of a string about z, continued from
-   * @p reference: of the particle beside the axis in a rotationally symmetric
-   * scene, else from the first particle to the second. The frame of the mesh
-   * turns with it. Zero for any other number of particles.
+   * Angle of the line of centres of a string about z, in [-pi, pi]: of the
+   * particle beside the axis in a rotationally symmetric scene, else from the
+   * first particle to the second. Zero for any other number of particles.
    */
   template <int dim>
   double
   string_angle(const Scene<dim>                      &scene,
-               const std::vector<dealii::Point<dim>> &centres,
-               const double                           reference);
+               const std::vector<dealii::Point<dim>> &centres);
 } // namespace Catena
 
 #endif
