@@ -38,8 +38,8 @@ namespace Catena
       {
         TrilinosWrappers::PreconditionAMG::AdditionalData data;
         data.elliptic              = true;
-        data.smoother_sweeps       = 2;
-        data.aggregation_threshold = 0.02;
+        data.smoother_sweeps       = 3;
+        data.aggregation_threshold = 0.;
         auto multigrid =
           std::make_unique<TrilinosWrappers::PreconditionAMG>();
         multigrid->initialize(component->matrix, data);

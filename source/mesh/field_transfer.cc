@@ -1,9 +1,18 @@
+#include <catena/base/csr_access.h>
 #include <catena/base/exceptions.h>
+#include <catena/mesh/cell_values.h>
 #include <catena/mesh/field_transfer.h>
-#include <catena/mesh/point_locator.h>
+#include <catena/mesh/quadratic_shape.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <limits>
 
 namespace Catena
 {
@@ -27,6 +36,35 @@ namespace Catena
 
 
 
+  namespace
+  {
+    /// Nodes of all cells of a mesh, on every rank.
+    template <int dim>
+    std::vector<typename PointLocator<dim>::CellNodes>
+    all_cell_nodes(const MovingMesh<dim> &mesh, const VectorType &positions)
+    {
+      std::vector<typename PointLocator<dim>::CellNodes> cells;
+      for (const auto &cell : mesh.cells())
+        if (cell.owned)
+          cells.push_back(mesh.cell_positions(cell, positions));
+      return gather(cells, mesh.communicator());
+    }
+
+
+
+    /// Does component k of a tensor change sign when turned about z?
+    template <int dim>
+    bool
+    is_odd(const unsigned int k)
+    {
+      const auto ij =
+        SymmetricTensor<2, dim>::unrolled_to_component_indices(k);
+      return (ij[0] < 2) != (ij[1] < 2);
+    }
+  } // namespace
+
+
+
   template <int dim>
   FieldTransfer<dim>::FieldTransfer(const MovingMesh<dim> &source,
                                     const VectorType      &source_positions,
@@ -34,54 +72,49 @@ namespace Catena
                                     const VectorType      &target_positions)
     : source(source)
     , target(target)
+    , target_positions(target_positions)
+    , locator(all_cell_nodes<dim>(source, source_positions))
   {
-    std::vector<std::array<Point<dim>, n_nodes>> cells;
-    for (const auto &cell : source.cells())
-      if (cell.owned)
-        cells.push_back(source.cell_positions(cell, source_positions));
-    const PointLocator<dim> locator(gather(cells, source.communicator()));
-
-    const FE_SimplexP<dim> quadratic(2), linear(1);
-    const bool             rotational = source.scene().rotational();
-    double                 farthest   = 0.;
+    this->target_positions.update_ghost_values();
+    double farthest = 0.;
     for (const auto node : target.owned_nodes())
       {
         Point<dim> x;
         for (unsigned int d = 0; d < dim; ++d)
           x[d] = target_positions(dim * node + d);
-
-        typename PointLocator<dim>::Location location;
-        bool                                 turned = false;
-        location.violation = std::numeric_limits<double>::max();
-        const auto images  = source.scene().rotated_images(x);
-        for (unsigned int k = 0; k < images.size(); ++k)
-          {
-            const auto candidate = locator.locate(images[k]);
-            if (candidate.violation < location.violation)
-              {
-                location = candidate;
-                turned   = rotational && k % 2 == 1;
-              }
-            if (location.violation < 1e-10)
-              break;
-          }
-        farthest = std::max(farthest, location.violation);
-
-        Place place;
-        place.node   = node;
-        place.cell   = location.cell;
-        place.turned = turned;
-        for (unsigned int i = 0; i < n_nodes; ++i)
-          place.quadratic[i] = quadratic.shape_value(i, location.unit);
-        for (unsigned int i = 0; i < n_vertices; ++i)
-          place.linear[i] = linear.shape_value(i, location.unit);
-        places.push_back(place);
+        double violation = 0.;
+        node_places.push_back(find(x, violation));
+        farthest = std::max(farthest, violation);
       }
     farthest = Utilities::MPI::max(farthest, target.communicator());
     if (farthest > 0.1)
       throw MeshError("A node of the new mesh lies " +
                       std::to_string(farthest) +
                       " elements outside of the old one.");
+  }
+
+
+
+  template <int dim>
+  typename FieldTransfer<dim>::Place
+  FieldTransfer<dim>::find(const Point<dim> &point, double &violation) const
+  {
+    const bool rotational = source.scene().rotational();
+    const auto images     = source.scene().rotated_images(point);
+    Place      place;
+    violation = std::numeric_limits<double>::max();
+    for (unsigned int k = 0; k < images.size() && violation > 1e-10; ++k)
+      {
+        const auto location = locator.locate(images[k]);
+        if (location.violation < violation)
+          {
+            violation = location.violation;
+            place     = {location.cell,
+                         location.unit,
+                         rotational && k % 2 == 1};
+          }
+      }
+    return place;
   }
 
 
@@ -102,15 +135,19 @@ namespace Catena
     values = gather(values, source.communicator());
 
     VectorType result = target.vector_field();
-    for (const Place &place : places)
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          double value = 0.;
-          for (unsigned int a = 0; a < n_nodes; ++a)
-            value += place.quadratic[a] * values[place.cell][dim * a + d];
-          result(dim * place.node + d) =
-            place.turned && d < 2 ? -value : value;
-        }
+    auto       place  = node_places.begin();
+    for (const auto node : target.owned_nodes())
+      {
+        const auto shapes = quadratic_shape_values<dim>(place->unit);
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            double value = 0.;
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              value += shapes[a] * values[place->cell][dim * a + d];
+            result(dim * node + d) = place->turned && d < 2 ? -value : value;
+          }
+        ++place;
+      }
     result.update_ghost_values();
     return result;
   }
@@ -134,25 +171,26 @@ namespace Catena
 
 
 
-  /**
-   * @param odd the field changes sign under the rotation
-   */
   template <int dim>
   VectorType
-  FieldTransfer<dim>::scalar(const VectorType &field, const bool odd) const
+  FieldTransfer<dim>::scalar(const VectorType &field) const
   {
     const auto values = gather_vertex_values(field);
     VectorType result = target.scalar_field();
-    for (const Place &place : places)
+    auto       place  = node_places.begin();
+    for (const auto node : target.owned_nodes())
       {
-        const unsigned int vertex = target.vertex_of_node(place.node);
-        if (vertex == numbers::invalid_unsigned_int ||
-            !target.owned_scalars().is_element(vertex))
-          continue;
-        double value = 0.;
-        for (unsigned int v = 0; v < n_vertices; ++v)
-          value += place.linear[v] * values[place.cell][v];
-        result(vertex) = odd && place.turned ? -value : value;
+        const unsigned int vertex = target.vertex_of_node(node);
+        if (vertex != numbers::invalid_unsigned_int &&
+            target.owned_scalars().is_element(vertex))
+          {
+            const auto shapes = barycentric_coordinates<dim>(place->unit);
+            double     value  = 0.;
+            for (unsigned int v = 0; v < n_vertices; ++v)
+              value += shapes[v] * values[place->cell][v];
+            result(vertex) = value;
+          }
+        ++place;
       }
     result.update_ghost_values();
     return result;
@@ -161,26 +199,129 @@ namespace Catena
 
 
   template <int dim>
-  VectorType
-  FieldTransfer<dim>::scalar(const VectorType &field) const
+  std::vector<VectorType>
+  FieldTransfer<dim>::tensor(const std::vector<VectorType> &components) const
   {
-    return scalar(field, false);
+    std::vector<VectorType>   result(components.size());
+    std::vector<unsigned int> even, odd;
+    for (unsigned int k = 0; k < components.size(); ++k)
+      (is_odd<dim>(k) ? odd : even).push_back(k);
+    project(components, even, result);
+    if (!odd.empty())
+      project(components, odd, result);
+    return result;
   }
 
 
 
   template <int dim>
-  std::vector<VectorType>
-  FieldTransfer<dim>::tensor(const std::vector<VectorType> &components) const
+  void
+  FieldTransfer<dim>::project(const std::vector<VectorType>   &components,
+                              const std::vector<unsigned int> &selected,
+                              std::vector<VectorType> &result) const
   {
-    std::vector<VectorType> result;
-    for (unsigned int k = 0; k < components.size(); ++k)
+    const NodeIdentification &identification = target.identification();
+    const auto                master         = [&](const unsigned int vertex) {
+      return target.vertex_of_node(
+        identification.master(target.node_of_vertex(vertex)));
+    };
+    const bool odd    = is_odd<dim>(selected[0]);
+    const auto factor = [&](const unsigned int vertex) {
+      const unsigned int node = target.node_of_vertex(vertex);
+      if (odd && target.on_mirror(node))
+        return 0.;
+      return identification.template tensor_factor<dim>(node, selected[0]);
+    };
+    const IndexSet &owned = target.owned_scalars();
+
+    DynamicSparsityPattern pattern(target.scalar_dofs().n_dofs(),
+                                   target.scalar_dofs().n_dofs(),
+                                   target.relevant_scalars());
+    for (const auto vertex : owned)
+      pattern.add(vertex, vertex);
+    for (const auto &cell : target.cells())
+      for (const unsigned int i : cell.vertices)
+        for (const unsigned int j : cell.vertices)
+          pattern.add(master(i), master(j));
+    TrilinosWrappers::SparseMatrix mass;
+    mass.reinit(owned, owned, pattern, target.communicator());
+    const CsrAccess access(mass, owned, target.relevant_scalars());
+
+    std::vector<std::vector<std::array<double, n_vertices>>> values;
+    std::vector<VectorType>                                  rhs;
+    for (const unsigned int k : selected)
       {
-        const auto ij =
-          SymmetricTensor<2, dim>::unrolled_to_component_indices(k);
-        result.push_back(scalar(components[k], (ij[0] < 2) != (ij[1] < 2)));
+        values.push_back(gather_vertex_values(components[k]));
+        rhs.emplace_back(owned, target.communicator());
       }
-    return result;
+
+    CellValues<dim> cell_values(QWitherdenVincentSimplex<dim>(2));
+    for (const auto &cell : target.cells())
+      {
+        const auto nodes = target.cell_positions(cell, target_positions);
+        cell_values.reinit(nodes, cell.curved);
+        for (const auto &point : cell_values.points())
+          {
+            Point<dim> x;
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              x += point.quadratic[a] * Tensor<1, dim>(nodes[a]);
+            double      violation;
+            const Place place  = find(x, violation);
+            const auto  shapes = barycentric_coordinates<dim>(place.unit);
+
+            for (unsigned int v = 0; v < n_vertices; ++v)
+              {
+                const unsigned int i   = cell.vertices[v];
+                const int          row = access.row(master(i));
+                if (row == CsrAccess::absent)
+                  continue;
+                const double test = point.JxW * factor(i) * point.linear[v];
+                for (unsigned int u = 0; u < n_vertices; ++u)
+                  access.add(row,
+                             access.column(master(cell.vertices[u])),
+                             test * factor(cell.vertices[u]) *
+                               point.linear[u]);
+                for (unsigned int k = 0; k < selected.size(); ++k)
+                  {
+                    double value = 0.;
+                    for (unsigned int w = 0; w < n_vertices; ++w)
+                      value += shapes[w] * values[k][place.cell][w];
+                    rhs[k](master(i)) +=
+                      test * (odd && place.turned ? -value : value);
+                  }
+              }
+          }
+      }
+    for (const auto i : owned)
+      if (master(i) != i || factor(i) == 0.)
+        access.add(access.row(i), access.column(i), 1.);
+
+    TrilinosWrappers::PreconditionJacobi jacobi;
+    jacobi.initialize(mass);
+    for (unsigned int k = 0; k < selected.size(); ++k)
+      {
+        VectorType    solution(rhs[k]);
+        SolverControl control(500, std::max(1e-12 * rhs[k].l2_norm(), 1e-14));
+        solution = 0.;
+        try
+          {
+            SolverCG<VectorType>(control).solve(mass, solution, rhs[k], jacobi);
+          }
+        catch (const SolverControl::NoConvergence &)
+          {
+            throw SolverError(
+              "The projection of the conformation onto a new mesh did not "
+              "converge in 500 iterations.");
+          }
+        VectorType masters = target.scalar_field();
+        masters.copy_locally_owned_data_from(solution);
+        masters.update_ghost_values();
+        VectorType &field = result[selected[k]];
+        field             = target.scalar_field();
+        for (const auto i : owned)
+          field(i) = factor(i) * masters(master(i));
+        field.update_ghost_values();
+      }
   }
 
 

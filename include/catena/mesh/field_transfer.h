@@ -2,6 +2,7 @@
 #define catena_mesh_field_transfer_h
 
 #include <catena/mesh/moving_mesh.h>
+#include <catena/mesh/point_locator.h>
 
 #include <array>
 #include <vector>
@@ -9,17 +10,22 @@
 namespace Catena
 {
   /**
-   * Values of fields of one mesh at the nodes of another, both at the same
-   * instant. A node that lies outside of the old mesh is looked up at its
-   * image under the symmetries of the scene, and the value turned back.
+   * Carries fields from one mesh to another, both at the same instant: the
+   * velocity and the pressure by interpolation at the nodes, the
+   * log-conformation by L2 projection with quadrature on the new mesh.
+   * Interpolation would cut the peaks of the stress beside the particles, and
+   * so change their angular velocities.
+   *
+   * A point that lies outside of the old mesh is looked up at its image under
+   * the symmetries of the scene, and the value turned back.
    */
   template <int dim>
   class FieldTransfer
   {
   public:
     /**
-     * Find the owned nodes of @p target, at @p target_positions, in
-     * @p source, at @p source_positions.
+     * Find the nodes of @p target, at @p target_positions, in @p source, at
+     * @p source_positions. The meshes are kept by reference.
      *
      * @throws MeshError if a node is farther from the old mesh than a tenth
      * of an element
@@ -37,7 +43,10 @@ namespace Catena
     VectorType
     scalar(const VectorType &field) const;
 
-    /// The components of a symmetric P1 tensor field.
+    /**
+     * The components of a symmetric P1 tensor field.
+     * @throws SolverError if the projection does not converge
+     */
     std::vector<VectorType>
     tensor(const std::vector<VectorType> &components) const;
 
@@ -45,25 +54,36 @@ namespace Catena
     static constexpr unsigned int n_nodes    = n_quadratic_nodes(dim);
     static constexpr unsigned int n_vertices = n_linear_nodes(dim);
 
+    /// A point of the new mesh in the old one.
     struct Place
     {
-      unsigned int                   node;
-      unsigned int                   cell;
-      bool                           turned;
-      std::array<double, n_nodes>    quadratic;
-      std::array<double, n_vertices> linear;
+      unsigned int       cell;
+      dealii::Point<dim> unit;
+      bool               turned;
     };
 
-    const MovingMesh<dim> &source;
-    const MovingMesh<dim> &target;
-    std::vector<Place>     places;
+    const MovingMesh<dim>  &source;
+    const MovingMesh<dim>  &target;
+    const VectorType        target_positions;
+    const PointLocator<dim> locator;
+    /// of the owned P2 nodes of the target, in their order
+    std::vector<Place> node_places;
 
-    /// Values of P1 field at the vertices of all cells of the source.
+    Place
+    find(const dealii::Point<dim> &point, double &violation) const;
+
+    /// Values of a P1 field at the vertices of all cells of the source.
     std::vector<std::array<double, n_vertices>>
     gather_vertex_values(const VectorType &field) const;
 
-    VectorType
-    scalar(const VectorType &field, const bool odd) const;
+    /**
+     * Project the tensor components @p selected, which have the same factors
+     * at identified vertices.
+     */
+    void
+    project(const std::vector<VectorType>   &components,
+            const std::vector<unsigned int> &selected,
+            std::vector<VectorType>         &result) const;
   };
 } // namespace Catena
 
