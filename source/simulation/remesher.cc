@@ -1,3 +1,4 @@
+#include <catena/base/exceptions.h>
 #include <catena/mesh/field_transfer.h>
 #include <catena/simulation/remesher.h>
 
@@ -9,6 +10,69 @@
 namespace Catena
 {
   using namespace dealii;
+
+  namespace
+  {
+    /**
+     * The mesh as rank 0 makes it: not all of the mesher's algorithms give
+     * the same mesh twice.
+     */
+    template <int dim>
+    MeshDescription<dim>
+    mesh_on_all_ranks(const Scene<dim>     &scene,
+                      const MeshParameters &parameters,
+                      const MPI_Comm        communicator)
+    {
+      MeshDescription<dim> description;
+      std::string          failure;
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        try
+          {
+            description = generate_mesh<dim>(scene, parameters);
+          }
+        catch (const MeshError &error)
+          {
+            failure = error.what();
+          }
+      failure = Utilities::MPI::broadcast(communicator, failure);
+      if (!failure.empty())
+        throw MeshError(failure);
+      if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+        {
+          const auto share = [&](auto &part) {
+            part = Utilities::MPI::broadcast(communicator, part);
+          };
+          share(description.vertices);
+          share(description.cells);
+          share(description.boundary.boundary_lines);
+          share(description.boundary.boundary_quads);
+        }
+      return description;
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    /**
+     * The configuration to a millionth of a radius: differences of rounding
+     * between runs must not lead to different meshes.
+     */
+    template <int dim>
+    Configuration<dim>
+    rounded(Configuration<dim> configuration)
+    {
+      const auto round = [](const double x) { return std::round(x * 1e6) / 1e6; };
+      configuration.frame_angle = round(configuration.frame_angle);
+      for (Point<dim> &centre : configuration.centres)
+        for (unsigned int d = 0; d < dim; ++d)
+          centre[d] = round(centre[d]);
+      return configuration;
+    }
+  } // namespace
+
+
 
   template <int dim>
   Remesher<dim>::Remesher(const Scene<dim>           &scene,
@@ -59,16 +123,18 @@ namespace Catena
   Discretization<dim>
   Remesher<dim>::make(const Configuration<dim> &configuration) const
   {
-    const Scene<dim>           layout = scene_at(configuration);
-    const MeshDescription<dim> description =
-      generate_mesh<dim>(layout, parameters.mesh);
+    const Configuration<dim> reference = rounded(configuration);
+    const Scene<dim>         layout    = scene_at(reference);
 
     Discretization<dim> result;
-    result.mesh =
-      std::make_unique<MovingMesh<dim>>(communicator, layout, description);
+    result.mesh = std::make_unique<MovingMesh<dim>>(
+      communicator,
+      layout,
+      mesh_on_all_ranks<dim>(layout, parameters.mesh, communicator));
     result.mover =
-      std::make_unique<MeshMover<dim>>(*result.mesh, configuration);
+      std::make_unique<MeshMover<dim>>(*result.mesh, reference);
     result.initial_quality = result.mesh->quality();
+    result.mesh->set_positions(result.mover->positions(configuration));
     return result;
   }
 

@@ -6,9 +6,10 @@
 
 #include <catena/mesh/field_transfer.h>
 
-#include "../mesh/scenes.h"
 #include "../tests.h"
 
+#include "../mesh/scenes.h"
+#include "../print.h"
 #include "stokes_problem.h"
 
 using namespace dealii;
@@ -19,11 +20,11 @@ template <int dim>
 Scene<dim>
 make_scene(const Symmetry symmetry, const Cut cut)
 {
-  Scene<dim> scene  = Tests::three_particles<dim>(3., 50., cut);
-  scene.length      = 20.;
-  scene.height      = 16.;
-  scene.width       = 8.;
-  scene.symmetry    = symmetry;
+  Scene<dim> scene = Tests::three_particles<dim>(3., 50., cut);
+  scene.length     = 20.;
+  scene.height     = 16.;
+  scene.width      = 8.;
+  scene.symmetry   = symmetry;
   if (symmetry != Symmetry::quarter)
     {
       scene.particles[0].on_axis = false;
@@ -53,11 +54,10 @@ check_identified_nodes(Tests::Claims                   &claims,
       for (unsigned int d = 0; d < dim; ++d)
         {
           const double factor = identification.vector_factor(i, d);
-          velocity =
-            std::max(velocity,
-                     std::abs(problem.fields.velocity(dim * i + d) -
-                              factor *
-                                problem.fields.velocity(dim * master + d)));
+          velocity            = std::max(velocity,
+                              std::abs(problem.fields.velocity(dim * i + d) -
+                                       factor * problem.fields.velocity(
+                                                  dim * master + d)));
           // the balance of what is free to move
           if (mesh.particle(i) == mesh.no_particle && !mesh.on_wall(i) &&
               !(d == 2 && mesh.on_mirror(i)))
@@ -131,8 +131,7 @@ difference(const Tests::StokesProblem<dim> &first,
   double error = 0., square = 0.;
   for (const auto node : second.mesh.owned_nodes())
     {
-      const auto imposed =
-        Scene<dim>::imposed_velocity(second.position(node));
+      const auto imposed = Scene<dim>::imposed_velocity(second.position(node));
       for (unsigned int d = 0; d < dim; ++d)
         {
           const double u = second.fields.velocity(dim * node + d);
@@ -145,8 +144,7 @@ difference(const Tests::StokesProblem<dim> &first,
   VectorType pressure_error = pressure;
   pressure_error -= second.fields.pressure;
   pressure_error.add(-pressure_error.mean_value());
-  result.pressure =
-    pressure_error.l2_norm() / second.fields.pressure.l2_norm();
+  result.pressure = pressure_error.l2_norm() / second.fields.pressure.l2_norm();
   return result;
 }
 
@@ -172,11 +170,15 @@ solve(const unsigned int elements_on_equator)
     auto problem = std::make_unique<Tests::StokesProblem<dim>>(
       make_scene<dim>(symmetry, cut), parameters);
     const unsigned int n_iterations = problem->solve();
-    std::cout << problem->mesh.n_global_cells() << " cells, " << n_iterations
-              << " iterations" << std::endl;
+    Tests::print(problem->mesh.n_global_cells(),
+                 " cells, ",
+                 n_iterations,
+                 " iterations");
     for (const auto &motion : problem->fields.motions)
-      std::cout << "  velocity " << motion.velocity << ", angular velocity "
-                << motion.angular_velocity << std::endl;
+      Tests::print("  velocity ",
+                   motion.velocity,
+                   ", angular velocity ",
+                   motion.angular_velocity);
     return problem;
   };
   return {make(Symmetry::quarter, Cut::x_plane),
@@ -202,24 +204,31 @@ compare(Tests::Claims                   &claims,
 {
   const Difference coarse = difference(coarse_first, coarse_second);
   const Difference fine   = difference(fine_first, fine_second);
-  const double     size   = std::pow(coarse_second.mesh.n_global_cells(),
-                               -1. / dim),
-               fine_size  = std::pow(fine_second.mesh.n_global_cells(),
-                                    -1. / dim);
-  std::cout << "  coarser meshes: " << coarse.motions << ", "
-            << coarse.velocity << ", " << coarse.pressure << "; orders "
-            << Tests::order(coarse.motions, fine.motions, size, fine_size)
-            << ", "
-            << Tests::order(coarse.velocity, fine.velocity, size, fine_size)
-            << ", "
-            << Tests::order(coarse.pressure, fine.pressure, size, fine_size)
-            << std::endl;
+  const auto       order  = [&](const double error, const double finer_error) {
+    return Tests::order(error,
+                        finer_error,
+                        std::pow(coarse_second.mesh.n_global_cells(),
+                                 -1. / dim),
+                        std::pow(fine_second.mesh.n_global_cells(), -1. / dim));
+  };
+  Tests::print("  on coarser meshes motions ",
+               coarse.motions,
+               ", velocity ",
+               coarse.velocity,
+               ", pressure ",
+               coarse.pressure,
+               ", orders ",
+               order(coarse.motions, fine.motions),
+               ", ",
+               order(coarse.velocity, fine.velocity),
+               ", ",
+               order(coarse.pressure, fine.pressure));
 
   claims.at_most(title + ", motions", fine.motions, bound.motions);
   claims.at_most(title + ", velocity", fine.velocity, bound.velocity);
   claims.at_most(title + ", pressure", fine.pressure, bound.pressure);
   claims.at_least(title + ", ever more so on finer meshes",
-                  Tests::order(coarse.velocity, fine.velocity, size, fine_size),
+                  order(coarse.velocity, fine.velocity),
                   2.);
 }
 

@@ -13,6 +13,7 @@
 
 #include "../tests.h"
 
+#include "../print.h"
 #include "stokes_problem.h"
 
 using namespace dealii;
@@ -152,12 +153,18 @@ check(Tests::Claims                   &claims,
 
       errors.push_back(Tests::stokes_errors(problem, exact));
       motion_errors.push_back(motion_error(problem.fields.motions[0]));
-      std::cout << title << problem.mesh.n_global_cells() << " cells, size "
-                << errors.back().size << ", errors: velocity "
-                << errors.back().velocity << ", pressure "
-                << errors.back().pressure << ", motion "
-                << motion_errors.back() << ", iterations " << n_iterations
-                << std::endl;
+      Tests::print(title,
+                   problem.mesh.n_global_cells(),
+                   " cells, size ",
+                   errors.back().size,
+                   ", errors: velocity ",
+                   errors.back().velocity,
+                   ", pressure ",
+                   errors.back().pressure,
+                   ", motion ",
+                   motion_errors.back(),
+                   ", iterations ",
+                   n_iterations);
     }
 
   const unsigned int n      = errors.size() - 1;
@@ -182,7 +189,7 @@ int
 main(int argc, char **argv)
 {
   return Tests::run(argc, argv, [](Tests::Claims &claims) {
-    const Cut x = Cut::x_plane, y = Cut::y_plane;
+    const Cut                       x = Cut::x_plane, y = Cut::y_plane;
     const std::vector<unsigned int> n2 = {16, 32, 64}, n3 = {16, 24};
     check<2>(claims, "whole disc", Symmetry::none, x, n2);
     check<2>(claims, "disc cut at x = 0", Symmetry::quarter, x, n2);

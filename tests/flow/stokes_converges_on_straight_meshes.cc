@@ -10,6 +10,7 @@
 
 #include "../tests.h"
 
+#include "../print.h"
 #include "stokes_problem.h"
 
 using namespace dealii;
@@ -196,11 +197,16 @@ check(Tests::Claims             &claims,
       Tests::StokesProblem<dim> problem(scene, parameters);
       const unsigned int        n_iterations = problem.solve(&exact);
       errors.push_back(Tests::stokes_errors(problem, exact));
-      std::cout << title << problem.mesh.n_global_cells() << " cells, size "
-                << errors.back().size << ", errors: velocity "
-                << errors.back().velocity << ", pressure "
-                << errors.back().pressure << ", iterations " << n_iterations
-                << std::endl;
+      Tests::print(title,
+                   problem.mesh.n_global_cells(),
+                   " cells, size ",
+                   errors.back().size,
+                   ", errors: velocity ",
+                   errors.back().velocity,
+                   ", pressure ",
+                   errors.back().pressure,
+                   ", iterations ",
+                   n_iterations);
     }
 
   const auto &coarse = errors[errors.size() - 2], &fine = errors.back();

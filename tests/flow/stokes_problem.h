@@ -86,12 +86,12 @@ namespace Catena
         return x;
       }
 
-      const MovingMesh<dim>   mesh;
-      const RigidBodies<dim>  bodies;
+      const MovingMesh<dim>      mesh;
+      const RigidBodies<dim>     bodies;
       const NewtonianStress<dim> stress;
-      Configuration<dim>      configuration;
-      FlowSolver<dim>         solver;
-      FlowFields<dim>         fields;
+      Configuration<dim>         configuration;
+      FlowSolver<dim>            solver;
+      FlowFields<dim>            fields;
 
     private:
       static FlowSolverParameters
@@ -108,16 +108,16 @@ namespace Catena
     /**
      * int sigma : grad(phi e_d) over the fluid for the shape function phi of
      * every node: zero where momentum is balanced node by node, the force on
-     * the boundary elsewhere.
+     * the boundary elsewhere. For one process.
      */
     template <int dim>
     std::vector<dealii::Tensor<1, dim>>
     nodal_reactions(const StokesProblem<dim> &problem)
     {
-      const MovingMesh<dim>                &mesh = problem.mesh;
-      CellValues<dim>                       values;
-      std::vector<StressCoefficients<dim>>  coefficients;
-      std::vector<dealii::Tensor<1, dim>>   reactions(mesh.n_global_nodes());
+      const MovingMesh<dim>               &mesh = problem.mesh;
+      CellValues<dim>                      values;
+      std::vector<StressCoefficients<dim>> coefficients;
+      std::vector<dealii::Tensor<1, dim>>  reactions(mesh.n_global_nodes());
       for (const auto &cell : mesh.cells())
         {
           values.reinit(mesh.cell_positions(cell, mesh.positions()),
@@ -221,7 +221,8 @@ namespace Catena
                             problem.fields.velocity(dim * cell.nodes[a] + d);
                   }
               for (unsigned int v = 0; v < mesh.n_vertices; ++v)
-                p += point.linear[v] * problem.fields.pressure(cell.vertices[v]);
+                p +=
+                  point.linear[v] * problem.fields.pressure(cell.vertices[v]);
 
               const double difference = p - exact.pressure(x);
               velocity_error +=

@@ -99,10 +99,10 @@ deviation(const Scene<dim>              &scene,
   for (unsigned int i = 0; i < points.size(); ++i)
     {
       const Point<dim> &p = points[i], &q = points[identification.master(i)];
-      const auto        v  = vector_field(scene, p, symmetric),
-                 master_v  = vector_field(scene, q, symmetric);
-      const auto t         = tensor_field(scene, p, symmetric),
-                 master_t  = tensor_field(scene, q, symmetric);
+      const auto        v = vector_field(scene, p, symmetric),
+                 master_v = vector_field(scene, q, symmetric);
+      const auto t        = tensor_field(scene, p, symmetric),
+                 master_t = tensor_field(scene, q, symmetric);
       for (unsigned int d = 0; d < dim; ++d)
         result.vector =
           std::max(result.vector,
@@ -135,7 +135,8 @@ is_multiple(const double x, const double period)
  */
 template <int dim>
 unsigned int
-n_wrong_nodes(const MovingMesh<dim> &mesh, const std::vector<Point<dim>> &points)
+n_wrong_nodes(const MovingMesh<dim>         &mesh,
+              const std::vector<Point<dim>> &points)
 {
   const Scene<dim>         &scene          = mesh.scene();
   const NodeIdentification &identification = mesh.identification();
@@ -177,7 +178,7 @@ template <int dim>
 void
 check(Tests::Claims &claims, const std::string &name, const Scene<dim> &scene)
 {
-  const MovingMesh<dim> mesh(MPI_COMM_WORLD,
+  const MovingMesh<dim>   mesh(MPI_COMM_WORLD,
                              scene,
                              generate_mesh(scene, Tests::resolution(16, 1)));
   std::vector<Point<dim>> points(mesh.n_global_nodes());

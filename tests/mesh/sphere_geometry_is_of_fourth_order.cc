@@ -6,10 +6,12 @@
 #include <catena/mesh/moving_mesh.h>
 
 #include <deal.II/base/quadrature_lib.h>
+
 #include <deal.II/fe/fe_values.h>
 
 #include "../tests.h"
 
+#include "../print.h"
 #include "scenes.h"
 
 using namespace dealii;
@@ -79,21 +81,23 @@ check(Tests::Claims                   &claims,
   const double exact_area   = dim == 2 ? 2. * numbers::PI : 4. * numbers::PI;
   const double share        = 1. / scene.multiplicity(0);
 
-  const std::string title = name + " (" + std::to_string(dim) + "D): ";
+  const std::string   title = name + " (" + std::to_string(dim) + "D): ";
   std::vector<double> volume_errors, area_errors;
   for (const unsigned int n : elements_on_equator)
     {
-      const MovingMesh<dim> mesh(
-        MPI_COMM_WORLD,
-        scene,
-        generate_mesh(scene, Tests::resolution(n, 1)));
+      const MovingMesh<dim> mesh(MPI_COMM_WORLD,
+                                 scene,
+                                 generate_mesh(scene, Tests::resolution(n, 1)));
       volume_errors.push_back(
         std::abs((box - fluid_volume(mesh)) / (share * exact_volume) - 1.));
       area_errors.push_back(
         std::abs(particle_surface(mesh) / (share * exact_area) - 1.));
-      std::cout << title << n << " elements on the equator, errors: volume "
-                << volume_errors.back() << ", area " << area_errors.back()
-                << std::endl;
+      Tests::print(title,
+                   n,
+                   " elements on the equator, errors: volume ",
+                   volume_errors.back(),
+                   ", area ",
+                   area_errors.back());
     }
 
   const auto order = [&](const std::vector<double> &errors) {

@@ -5,9 +5,11 @@
 // in a box of twice the size. A torque of 8 pi turns the sphere by one more.
 // The whole sphere, half of it, and the quarters that both cuts leave.
 
+#include "../tests.h"
+
 #include "../flow/stokes_problem.h"
 #include "../mesh/scenes.h"
-#include "../tests.h"
+#include "../print.h"
 
 using namespace dealii;
 using namespace Catena;
@@ -43,14 +45,22 @@ solve(const Domain &domain, const std::string &box, const Point<3> &sizes)
   scene.cut       = domain.cut;
   scene.particles = {{Point<3>(), 1., domain.symmetry == Symmetry::quarter}};
 
-  auto problem = std::make_unique<Tests::StokesProblem<3>>(
-    scene, Tests::resolution(64, 2), 1e-9);
+  auto problem =
+    std::make_unique<Tests::StokesProblem<3>>(scene,
+                                              Tests::resolution(64, 2),
+                                              1e-9);
   const unsigned int n_iterations = problem->solve();
-  std::cout << domain.name << ", " << box << ": "
-            << problem->mesh.n_global_cells() << " cells, " << n_iterations
-            << " iterations, velocity " << problem->fields.motions[0].velocity
-            << ", angular velocity "
-            << problem->fields.motions[0].angular_velocity << std::endl;
+  Tests::print(domain.name,
+               ", ",
+               box,
+               ": ",
+               problem->mesh.n_global_cells(),
+               " cells, ",
+               n_iterations,
+               " iterations, velocity ",
+               problem->fields.motions[0].velocity,
+               ", angular velocity ",
+               problem->fields.motions[0].angular_velocity);
   return problem;
 }
 
@@ -126,7 +136,8 @@ main(int argc, char **argv)
         const double      paper   = spin(claims, title, *problem);
         check_torque(claims, title, *problem);
 
-        claims.near(domain.name + ": the box of 32 a leaves half the shear rate",
+        claims.near(domain.name +
+                      ": the box of 32 a leaves half the shear rate",
                     large,
                     0.5,
                     1e-4);

@@ -24,7 +24,7 @@ namespace Catena
              const SimulationParameters &parameters,
              const MPI_Comm              communicator);
 
-    /// A mesh for @p configuration.
+    /// A mesh for @p configuration, with its nodes at their positions there.
     Discretization<dim>
     make(const Configuration<dim> &configuration) const;
 
