@@ -18,11 +18,13 @@ namespace Catena
   void
   ConformationSolverParameters::declare(ParameterHandler &prm)
   {
-    prm.add_parameter("Tolerance", tolerance,
+    prm.add_parameter("Tolerance",
+                      tolerance,
                       "Residual of each component of the log-conformation, "
                       "relative to its right-hand side.",
                       Patterns::Double());
-    prm.add_parameter("Maximal iterations", max_iterations,
+    prm.add_parameter("Maximal iterations",
+                      max_iterations,
                       "Iterations after which a solve has failed.",
                       Patterns::Integer());
   }
@@ -33,10 +35,12 @@ namespace Catena
   ConformationSolverParameters::check() const
   {
     require(tolerance > 0. && tolerance < 1e-2,
-            "Conformation solver/Tolerance", tolerance,
+            "Conformation solver/Tolerance",
+            tolerance,
             "choose a value between 1e-14 and 1e-2");
     require(max_iterations >= 1 && max_iterations < 100000,
-            "Conformation solver/Maximal iterations", max_iterations,
+            "Conformation solver/Maximal iterations",
+            max_iterations,
             "choose a positive number, 200 is usual");
   }
 
@@ -129,9 +133,9 @@ namespace Catena
                                     const TimeStep   &step,
                                     const Source     &source)
   {
-    constexpr unsigned int n_nodes    = MovingMesh<dim>::n_nodes;
-    constexpr unsigned int n_vertices = MovingMesh<dim>::n_vertices;
-    const BdfCoefficients  bdf        = step.bdf();
+    constexpr unsigned int n_nodes       = MovingMesh<dim>::n_nodes;
+    constexpr unsigned int n_vertices    = MovingMesh<dim>::n_vertices;
+    const BdfCoefficients  bdf           = step.bdf();
     const TwoLevelWeights  extrapolation = step.extrapolation();
 
     for (const auto &group : groups)
@@ -160,8 +164,8 @@ namespace Catena
               for (unsigned int d = 0; d < dim; ++d)
                 {
                   const unsigned int dof = dim * cell.nodes[a] + d;
-                  w[d] += point.quadratic[a] *
-                          (velocity(dof) - mesh_velocity(dof));
+                  w[d] +=
+                    point.quadratic[a] * (velocity(dof) - mesh_velocity(dof));
                   L[d] += velocity(dof) * point.quadratic_gradient[a];
                   x[d] += point.quadratic[a] * positions[a][d];
                 }
@@ -175,8 +179,9 @@ namespace Catena
                                             extrapolation.b1 * s_old[v]);
               }
             SymmetricTensor<2, dim> known =
-              history + model.log_conformation_rate(
-                          L, spectral_decomposition<dim>(s_hat));
+              history +
+              model.log_conformation_rate(L,
+                                          spectral_decomposition<dim>(s_hat));
             if (source)
               known += source(x);
 

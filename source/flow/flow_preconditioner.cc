@@ -40,8 +40,7 @@ namespace Catena
         data.elliptic              = true;
         data.smoother_sweeps       = 3;
         data.aggregation_threshold = 0.;
-        auto multigrid =
-          std::make_unique<TrilinosWrappers::PreconditionAMG>();
+        auto multigrid = std::make_unique<TrilinosWrappers::PreconditionAMG>();
         multigrid->initialize(component->matrix, data);
         velocity_components.push_back(
           {component->components, std::move(multigrid)});
@@ -103,9 +102,8 @@ namespace Catena
       }
     } cycle{*this};
 
-    rigid_src.reinit(
-      matrices->velocity_rigid.locally_owned_domain_indices(),
-      matrices->velocity_rigid.get_mpi_communicator());
+    rigid_src.reinit(matrices->velocity_rigid.locally_owned_domain_indices(),
+                     matrices->velocity_rigid.get_mpi_communicator());
     VectorType column(velocity_src), response(velocity_src);
     for (unsigned int k = 0; k < n; ++k)
       {

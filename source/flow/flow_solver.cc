@@ -13,11 +13,13 @@ namespace Catena
   void
   FlowSolverParameters::declare(ParameterHandler &prm)
   {
-    prm.add_parameter("Tolerance", tolerance,
+    prm.add_parameter("Tolerance",
+                      tolerance,
                       "Residual of momentum and mass, relative to the "
                       "right-hand side of the disturbance problem.",
                       Patterns::Double());
-    prm.add_parameter("Maximal iterations", max_iterations,
+    prm.add_parameter("Maximal iterations",
+                      max_iterations,
                       "Iterations after which a solve has failed.",
                       Patterns::Integer());
   }
@@ -27,10 +29,13 @@ namespace Catena
   void
   FlowSolverParameters::check() const
   {
-    require(tolerance > 0. && tolerance < 1e-2, "Flow solver/Tolerance",
-            tolerance, "choose a value between 1e-12 and 1e-2");
+    require(tolerance > 0. && tolerance < 1e-2,
+            "Flow solver/Tolerance",
+            tolerance,
+            "choose a value between 1e-12 and 1e-2");
     require(max_iterations >= 1 && max_iterations < 100000,
-            "Flow solver/Maximal iterations", max_iterations,
+            "Flow solver/Maximal iterations",
+            max_iterations,
             "choose a positive number, 300 is usual");
   }
 
@@ -111,7 +116,7 @@ namespace Catena
     velocity_lines =
       velocity_constraints<dim>(*mesh, *bodies, configuration, held);
     couplings = node_couplings<dim>(*mesh, velocity_lines);
-    matrices = std::make_unique<FlowMatrices<dim>>(*mesh, *bodies, couplings);
+    matrices  = std::make_unique<FlowMatrices<dim>>(*mesh, *bodies, couplings);
     preconditioner_is_due = true;
   }
 
@@ -258,7 +263,7 @@ namespace Catena
         guess.block(1)(vertex) = fields.pressure(vertex);
     if (bodies->n_unknowns() > 0)
       {
-        std::vector<double>       values = bodies->values(fields.motions);
+        std::vector<double>       values    = bodies->values(fields.motions);
         const std::vector<double> reference = bodies->values(
           reference_motions<dim>(mesh->scene(), configuration, held));
         for (unsigned int k = 0; k < values.size(); ++k)
@@ -333,12 +338,12 @@ namespace Catena
     if (!std::isfinite(solution.l2_norm()))
       throw SolverError("The flow solver gave values that are not finite.");
 
-    best_iterations = preconditioner_is_fresh ?
-                        iterations :
-                        std::min(best_iterations, iterations);
-    iterations_lost = preconditioner_is_fresh ?
-                        0 :
-                        iterations_lost + iterations - best_iterations;
+    best_iterations       = preconditioner_is_fresh ?
+                              iterations :
+                              std::min(best_iterations, iterations);
+    iterations_lost       = preconditioner_is_fresh ?
+                              0 :
+                              iterations_lost + iterations - best_iterations;
     preconditioner_is_due = iterations_lost > set_up_cost;
     extract(solution, fields);
     return iterations;
@@ -370,8 +375,8 @@ namespace Catena
           {
             double value = imposed[d] + coupling.known[d];
             if (coupling.factors[d] != 0.)
-              value += coupling.factors[d] *
-                       disturbance(dim * coupling.master + d);
+              value +=
+                coupling.factors[d] * disturbance(dim * coupling.master + d);
             for (const auto &motion : coupling.motions[d])
               value += motion.second * motions[motion.first];
             fields.velocity(dim * node + d) = value;
@@ -386,9 +391,9 @@ namespace Catena
     for (const auto vertex : mesh->owned_scalars())
       fields.pressure(vertex) = masters(mesh->vertex_of_node(
         mesh->identification().master(mesh->node_of_vertex(vertex))));
-    const double mean = (solution.block(1) * matrices->vertex_volumes) /
-                        (matrices->vertex_volumes.mean_value() *
-                         matrices->vertex_volumes.size());
+    const double mean =
+      (solution.block(1) * matrices->vertex_volumes) /
+      (matrices->vertex_volumes.mean_value() * matrices->vertex_volumes.size());
     for (const auto vertex : mesh->owned_scalars())
       fields.pressure(vertex) -= mean;
     fields.pressure.update_ghost_values();

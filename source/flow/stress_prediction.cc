@@ -30,8 +30,8 @@ namespace Catena
     const CellValues<dim>                &values,
     std::vector<StressCoefficients<dim>> &coefficients) const
   {
-    const auto s     = vertex_tensors<dim>(cell, log_conformation);
-    const auto s_old = vertex_tensors<dim>(cell, old_log_conformation);
+    const auto s        = vertex_tensors<dim>(cell, log_conformation);
+    const auto s_old    = vertex_tensors<dim>(cell, old_log_conformation);
     const auto identity = unit_symmetric_tensor<dim>();
 
     const double G = model.modulus(), beta = model.solvent_viscosity();

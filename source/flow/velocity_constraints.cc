@@ -16,7 +16,7 @@ namespace Catena
         if (!held_in_place)
           motions[i].velocity =
             scene.imposed_velocity(configuration.centres[i]);
-        const Tensor<2, dim> L = scene.imposed_gradient();
+        const Tensor<2, dim> L         = scene.imposed_gradient();
         motions[i].angular_velocity[2] = (L[1][0] - L[0][1]) / 2.;
       }
     return motions;
@@ -115,15 +115,15 @@ namespace Catena
 
 
 
-#define INSTANTIATE(dim)                                               \
-  template std::vector<RigidMotion<dim>> reference_motions<dim>(       \
-    const Scene<dim> &, const Configuration<dim> &, const bool);       \
-  template AffineConstraints<double> velocity_constraints<dim>(        \
-    const MovingMesh<dim> &,                                           \
-    const RigidBodies<dim> &,                                          \
-    const Configuration<dim> &,                                        \
-    const bool);                                                       \
-  template AffineConstraints<double> pressure_constraints<dim>(        \
+#define INSTANTIATE(dim)                                         \
+  template std::vector<RigidMotion<dim>> reference_motions<dim>( \
+    const Scene<dim> &, const Configuration<dim> &, const bool); \
+  template AffineConstraints<double> velocity_constraints<dim>(  \
+    const MovingMesh<dim> &,                                     \
+    const RigidBodies<dim> &,                                    \
+    const Configuration<dim> &,                                  \
+    const bool);                                                 \
+  template AffineConstraints<double> pressure_constraints<dim>(  \
     const MovingMesh<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -1,6 +1,7 @@
 #include <catena/mesh/cell_values.h>
 
 #include <deal.II/base/quadrature_lib.h>
+
 #include <deal.II/fe/fe_simplex_p.h>
 
 namespace Catena

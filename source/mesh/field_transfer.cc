@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/symmetric_tensor.h>
+
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/trilinos_precondition.h>
@@ -57,8 +58,7 @@ namespace Catena
     bool
     is_odd(const unsigned int k)
     {
-      const auto ij =
-        SymmetricTensor<2, dim>::unrolled_to_component_indices(k);
+      const auto ij = SymmetricTensor<2, dim>::unrolled_to_component_indices(k);
       return (ij[0] < 2) != (ij[1] < 2);
     }
   } // namespace
@@ -109,9 +109,7 @@ namespace Catena
         if (location.violation < violation)
           {
             violation = location.violation;
-            place     = {location.cell,
-                         location.unit,
-                         rotational && k % 2 == 1};
+            place = {location.cell, location.unit, rotational && k % 2 == 1};
           }
       }
     return place;
@@ -218,7 +216,7 @@ namespace Catena
   void
   FieldTransfer<dim>::project(const std::vector<VectorType>   &components,
                               const std::vector<unsigned int> &selected,
-                              std::vector<VectorType> &result) const
+                              std::vector<VectorType>         &result) const
   {
     const NodeIdentification &identification = target.identification();
     const auto                master         = [&](const unsigned int vertex) {
@@ -279,8 +277,7 @@ namespace Catena
                 for (unsigned int u = 0; u < n_vertices; ++u)
                   access.add(row,
                              access.column(master(cell.vertices[u])),
-                             test * factor(cell.vertices[u]) *
-                               point.linear[u]);
+                             test * factor(cell.vertices[u]) * point.linear[u]);
                 for (unsigned int k = 0; k < selected.size(); ++k)
                   {
                     double value = 0.;

@@ -2,8 +2,10 @@
 #include <catena/mesh/mesh_mover.h>
 
 #include <deal.II/base/quadrature_lib.h>
+
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_fe.h>
+
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/solver_cg.h>
@@ -90,14 +92,14 @@ namespace Catena
     for (Problem &problem : problems)
       make_matrix(problem.matrix);
 
-    const MappingFE<dim>    straight(FE_SimplexP<dim>(1));
-    const FE_SimplexP<dim>  element(1);
+    const MappingFE<dim>     straight(FE_SimplexP<dim>(1));
+    const FE_SimplexP<dim>   element(1);
     const QGaussSimplex<dim> quadrature(1);
     FEValues<dim>            values(straight,
                          element,
                          quadrature,
                          update_gradients | update_JxW_values);
-    const IndexSet &owned = mesh.owned_scalars();
+    const IndexSet          &owned = mesh.owned_scalars();
     for (const auto &cell : mesh.cells())
       {
         values.reinit(cell.iterator);
@@ -115,8 +117,8 @@ namespace Catena
                   if (problem.factors[i] * problem.factors[j] != 0)
                     problem.matrix.add(master(i),
                                        master(j),
-                                       problem.factors[i] *
-                                         problem.factors[j] * value);
+                                       problem.factors[i] * problem.factors[j] *
+                                         value);
             }
       }
     stiffness.compress(VectorOperation::add);
@@ -146,8 +148,7 @@ namespace Catena
   {
     const Point<dim>    &centre = reference.centres[particle];
     const Tensor<1, dim> arm    = point - centre;
-    const double         angle =
-      configuration.frame_angle - reference.frame_angle;
+    const double angle = configuration.frame_angle - reference.frame_angle;
     return configuration.centres[particle] - centre +
            turned_about_z<dim>(arm, angle) - arm;
   }
@@ -241,9 +242,8 @@ namespace Catena
           point[d] = mesh.reference_positions()(dim * node + d);
         Tensor<1, dim> displacement;
         if (mesh.particle(node) != MovingMesh<dim>::no_particle)
-          displacement = particle_displacement(mesh.particle(node),
-                                               point,
-                                               configuration);
+          displacement =
+            particle_displacement(mesh.particle(node), point, configuration);
         else
           for (const unsigned int end : mesh.edge_ends(node))
             for (unsigned int d = 0; d < dim; ++d)

@@ -1,9 +1,10 @@
 #include <catena/base/exceptions.h>
-#include <catena/mesh/moving_mesh.h>
 #include <catena/mesh/cell_values.h>
+#include <catena/mesh/moving_mesh.h>
 #include <catena/mesh/quality.h>
 
 #include <deal.II/base/mpi.h>
+
 #include <deal.II/fe/mapping_fe_field.h>
 
 #include <algorithm>
@@ -47,10 +48,9 @@ namespace Catena
       all_cells.push_back(describe_cell(cell));
 
     const std::vector<Point<dim>> points = classify_nodes(all_cells);
-    node_identification =
-      std::make_unique<NodeIdentification>(reference_scene,
-                                           points,
-                                           node_boundaries);
+    node_identification = std::make_unique<NodeIdentification>(reference_scene,
+                                                               points,
+                                                               node_boundaries);
     select_cells(all_cells);
 
     reference = vector_field();
@@ -120,14 +120,14 @@ namespace Catena
       {
         for (unsigned int v = 0; v < n_vertices; ++v)
           {
-            points[cell.nodes[v]]        = cell.iterator->vertex(v);
+            points[cell.nodes[v]]          = cell.iterator->vertex(v);
             vertex_nodes[cell.vertices[v]] = cell.nodes[v];
             node_vertices[cell.nodes[v]]   = cell.vertices[v];
             node_ends[cell.nodes[v]]       = {{cell.nodes[v], cell.nodes[v]}};
           }
         for (unsigned int e = n_vertices; e < n_nodes; ++e)
           {
-            const unsigned int *v = edge_vertices[e - n_vertices];
+            const unsigned int *v    = edge_vertices[e - n_vertices];
             node_ends[cell.nodes[e]] = {{cell.nodes[v[0]], cell.nodes[v[1]]}};
             points[cell.nodes[e]] =
               (cell.iterator->vertex(v[0]) + cell.iterator->vertex(v[1])) / 2.;
@@ -136,13 +136,13 @@ namespace Catena
         for (const unsigned int f : cell.iterator->face_indices())
           if (cell.iterator->face(f)->at_boundary())
             {
-              const auto                 face = cell.iterator->face(f);
-              const types::boundary_id   id   = face->boundary_id();
+              const auto                   face = cell.iterator->face(f);
+              const types::boundary_id     id   = face->boundary_id();
               std::array<bool, n_vertices> in_face{};
               for (unsigned int v = 0; v < n_vertices; ++v)
                 for (unsigned int k = 0; k < dim; ++k)
-                  in_face[v] |= face->vertex_index(k) ==
-                                cell.iterator->vertex_index(v);
+                  in_face[v] |=
+                    face->vertex_index(k) == cell.iterator->vertex_index(v);
               for (unsigned int i = 0; i < n_nodes; ++i)
                 {
                   const bool inside =
@@ -163,7 +163,7 @@ namespace Catena
         {
           const Particle<dim> &p = reference_scene.particles[node_particles[i]];
           const Tensor<1, dim> r = points[i] - p.centre;
-          points[i] = p.centre + p.radius / r.norm() * r;
+          points[i]              = p.centre + p.radius / r.norm() * r;
         }
     return points;
   }
@@ -181,20 +181,19 @@ namespace Catena
       if (owned_vector_dofs.is_element(dim * i))
         nodes_owned.add_index(i);
 
-    const IndexSet &owned_scalar_dofs = scalars.locally_owned_dofs();
+    const IndexSet   &owned_scalar_dofs = scalars.locally_owned_dofs();
     std::vector<char> relevant(n_global_nodes(), 0);
     for (Cell cell : all_cells)
       {
         bool mine = cell.owned;
         for (const unsigned int node : cell.nodes)
-          mine |=
-            nodes_owned.is_element(node_identification->master(node)) ||
-            nodes_owned.is_element(node);
+          mine |= nodes_owned.is_element(node_identification->master(node)) ||
+                  nodes_owned.is_element(node);
         for (const unsigned int vertex : cell.vertices)
-          mine |= owned_scalar_dofs.is_element(vertex) ||
-                  owned_scalar_dofs.is_element(
-                    node_vertices[node_identification->master(
-                      vertex_nodes[vertex])]);
+          mine |=
+            owned_scalar_dofs.is_element(vertex) ||
+            owned_scalar_dofs.is_element(
+              node_vertices[node_identification->master(vertex_nodes[vertex])]);
         if (!mine)
           continue;
         for (unsigned int e = n_vertices; e < n_nodes; ++e)

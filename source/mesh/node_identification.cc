@@ -55,7 +55,8 @@ namespace Catena
         if (d == dim)
           {
             const auto it = points.find(k);
-            return it != points.end() && it->second.first.distance(p) < tolerance ?
+            return it != points.end() &&
+                       it->second.first.distance(p) < tolerance ?
                      it->second.second :
                      numbers::invalid_unsigned_int;
           }

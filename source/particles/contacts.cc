@@ -86,8 +86,7 @@ namespace Catena
   Contacts<dim>::separation(const Configuration<dim> &configuration,
                             const Pair               &pair) const
   {
-    const auto images =
-      scene.rotated_images(configuration.centres[pair.j]);
+    const auto     images = scene.rotated_images(configuration.centres[pair.j]);
     const bool     rotated = scene.rotational();
     Tensor<1, dim> nearest;
     bool           turned   = false;
@@ -163,7 +162,7 @@ namespace Catena
             if (!pair.is_held && missing <= 0.)
               continue;
 
-            error = std::max(error, std::abs(missing));
+            error                  = std::max(error, std::abs(missing));
             const bool     i_moves = !scene.particles[pair.i].on_axis;
             const bool     j_moves = !scene.particles[pair.j].on_axis;
             const double   share   = i_moves && j_moves ? 0.5 : 1.;

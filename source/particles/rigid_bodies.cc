@@ -39,7 +39,7 @@ namespace Catena
     for (unsigned int i = 0; i < scene.particles.size(); ++i)
       {
         const Particle<dim> &p = scene.particles[i];
-        const bool in_plane =
+        const bool           in_plane =
           dim == 2 || (scene.mirrored() && p.centre[dim - 1] == 0.);
 
         if (!p.on_axis)
@@ -96,9 +96,9 @@ namespace Catena
     for (unsigned int k = 0; k < unknowns.size(); ++k)
       {
         const RigidMotion<dim> &motion = motions[unknowns[k].particle];
-        result[k] = unknowns[k].rotation ?
-                      motion.angular_velocity[unknowns[k].axis] :
-                      motion.velocity[unknowns[k].axis];
+        result[k]                      = unknowns[k].rotation ?
+                                           motion.angular_velocity[unknowns[k].axis] :
+                                           motion.velocity[unknowns[k].axis];
       }
     return result;
   }

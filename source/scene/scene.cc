@@ -104,7 +104,7 @@ namespace Catena
   double
   Scene<dim>::multiplicity(const unsigned int particle) const
   {
-    const Particle<dim> &p     = particles[particle];
+    const Particle<dim> &p         = particles[particle];
     const bool           on_mirror = mirrored() && p.centre[dim - 1] == 0.;
     return (on_mirror ? 2. : 1.) * (p.on_axis ? 2. : 1.);
   }
@@ -115,12 +115,10 @@ namespace Catena
   double
   Scene<dim>::gap(const unsigned int i, const unsigned int j) const
   {
-    const std::vector<Point<dim>> images =
-      rotated_images(particles[j].centre);
-    double distance = std::numeric_limits<double>::max();
+    const std::vector<Point<dim>> images = rotated_images(particles[j].centre);
+    double                        distance = std::numeric_limits<double>::max();
     for (unsigned int k = (i == j ? 1 : 0); k < images.size(); ++k)
-      distance =
-        std::min(distance, particles[i].centre.distance(images[k]));
+      distance = std::min(distance, particles[i].centre.distance(images[k]));
     return distance - particles[i].radius - particles[j].radius;
   }
 
@@ -161,18 +159,25 @@ namespace Catena
       {
         const Particle<dim> &p    = particles[i];
         const std::string    name = "centre of particle " + std::to_string(i);
-        require(p.radius > 0., "radius of particle " + std::to_string(i),
-                p.radius, "give a positive radius");
-        require(std::abs(p.centre[1]) + p.radius < height / 2., name, p.centre,
+        require(p.radius > 0.,
+                "radius of particle " + std::to_string(i),
+                p.radius,
+                "give a positive radius");
+        require(std::abs(p.centre[1]) + p.radius < height / 2.,
+                name,
+                p.centre,
                 "the particle is in a wall; move it or enlarge the box");
         if (p.on_axis)
-          require(p.centre[0] == 0. && p.centre[1] == 0., name, p.centre,
+          require(p.centre[0] == 0. && p.centre[1] == 0.,
+                  name,
+                  p.centre,
                   "a particle on the axis must have its centre at x = y = 0");
         else
           for (unsigned int d = 0; d < 2; ++d)
             require(p.centre[d] - p.radius > low[d] &&
                       p.centre[d] + p.radius < high[d],
-                    name, p.centre,
+                    name,
+                    p.centre,
                     "the particle crosses a plane that bounds the meshed "
                     "block; move it or choose another symmetry");
         if (dim == 3)
@@ -181,10 +186,13 @@ namespace Catena
             const bool   on_mirror = mirrored() && z == 0.;
             require(on_mirror || (z - p.radius > low[dim - 1] &&
                                   z + p.radius < high[dim - 1]),
-                    name, p.centre,
+                    name,
+                    p.centre,
                     "the particle crosses a mirror plane; put its centre on "
                     "z = 0 or choose another symmetry");
-            require(p.radius < high[dim - 1], "Scene/Width", width,
+            require(p.radius < high[dim - 1],
+                    "Scene/Width",
+                    width,
                     "enlarge the box: it must be wider than a particle");
           }
 
@@ -193,7 +201,8 @@ namespace Catena
             require(gap(i, j) > 0.,
                     "gap between particles " + std::to_string(j) + " and " +
                       std::to_string(i),
-                    gap(i, j), "the particles overlap; move them apart");
+                    gap(i, j),
+                    "the particles overlap; move them apart");
       }
   }
 

@@ -9,10 +9,11 @@ namespace Catena
   SimulationParameters::declare_fluid(ParameterHandler &prm)
   {
     prm.enter_subsection("Fluid");
-    prm.declare_entry("Model",
-                      "giesekus",
-                      Patterns::Selection("newtonian|giesekus"),
-                      "newtonian, or giesekus (Oldroyd-B with a mobility of 0).");
+    prm.declare_entry(
+      "Model",
+      "giesekus",
+      Patterns::Selection("newtonian|giesekus"),
+      "newtonian, or giesekus (Oldroyd-B with a mobility of 0).");
     prm.add_action("Model", [this](const std::string &name) {
       fluid =
         name == "newtonian" ? FluidModel::newtonian : FluidModel::giesekus;
@@ -28,11 +29,13 @@ namespace Catena
   {
     prm.enter_subsection("Mesh");
     mesh.declare(prm);
-    prm.add_parameter("Remesh quality", remesh_quality,
+    prm.add_parameter("Remesh quality",
+                      remesh_quality,
                       "A new mesh is made when the quality has fallen below "
                       "this fraction of that of the last new mesh.",
                       Patterns::Double());
-    prm.add_parameter("Remesh gap", remesh_gap,
+    prm.add_parameter("Remesh gap",
+                      remesh_gap,
                       "A new mesh is made when fewer elements lie across a "
                       "gap than this fraction of 'Elements across gap'.",
                       Patterns::Double());
@@ -47,17 +50,20 @@ namespace Catena
     declare_fluid(prm);
 
     prm.enter_subsection("Particles");
-    prm.add_parameter("Minimal gap", minimal_gap,
+    prm.add_parameter("Minimal gap",
+                      minimal_gap,
                       "d_min, the smallest gap between two surfaces divided "
                       "by the particle diameter.",
                       Patterns::Double());
     prm.leave_subsection();
 
     prm.enter_subsection("Time");
-    prm.add_parameter("Time step", time_step,
+    prm.add_parameter("Time step",
+                      time_step,
                       "Time step [1/gamma].",
                       Patterns::Double());
-    prm.add_parameter("Final strain", final_strain,
+    prm.add_parameter("Final strain",
+                      final_strain,
                       "Strain gamma t at which the run ends, counted from the "
                       "release of the particles.",
                       Patterns::Double());
@@ -74,9 +80,9 @@ namespace Catena
     prm.leave_subsection();
 
     prm.enter_subsection("Output");
-    prm.add_parameter("Directory", output_directory,
-                      "Folder of the results.");
-    prm.add_parameter("Field strains", field_strains,
+    prm.add_parameter("Directory", output_directory, "Folder of the results.");
+    prm.add_parameter("Field strains",
+                      field_strains,
                       "Strains at which the fields are written for ParaView, "
                       "separated by commas.");
     prm.leave_subsection();
@@ -89,21 +95,33 @@ namespace Catena
   {
     if (viscoelastic())
       giesekus.check();
-    require(minimal_gap > 0. && minimal_gap < 1., "Particles/Minimal gap",
-            minimal_gap, "choose a value between 0.001 and 1, 0.02 is usual");
-    require(time_step > 0. && time_step <= 1., "Time/Time step", time_step,
+    require(minimal_gap > 0. && minimal_gap < 1.,
+            "Particles/Minimal gap",
+            minimal_gap,
+            "choose a value between 0.001 and 1, 0.02 is usual");
+    require(time_step > 0. && time_step <= 1.,
+            "Time/Time step",
+            time_step,
             "choose a positive time step of at most 1, 0.08 is usual");
-    require(final_strain >= 0., "Time/Final strain", final_strain,
+    require(final_strain >= 0.,
+            "Time/Final strain",
+            final_strain,
             "choose a strain that is not negative");
     mesh.check();
-    require(remesh_quality > 0. && remesh_quality < 1., "Mesh/Remesh quality",
-            remesh_quality, "choose a fraction between 0 and 1");
-    require(remesh_gap >= 0. && remesh_gap < 1., "Mesh/Remesh gap", remesh_gap,
+    require(remesh_quality > 0. && remesh_quality < 1.,
+            "Mesh/Remesh quality",
+            remesh_quality,
+            "choose a fraction between 0 and 1");
+    require(remesh_gap >= 0. && remesh_gap < 1.,
+            "Mesh/Remesh gap",
+            remesh_gap,
             "choose a fraction between 0 and 1");
     flow_solver.check();
     conformation_solver.check();
     for (const double strain : field_strains)
-      require(strain <= final_strain, "Output/Field strains", strain,
+      require(strain <= final_strain,
+              "Output/Field strains",
+              strain,
               "choose strains up to 'Time/Final strain'");
   }
 } // namespace Catena

@@ -63,7 +63,9 @@ namespace Catena
     Configuration<dim>
     rounded(Configuration<dim> configuration)
     {
-      const auto round = [](const double x) { return std::round(x * 1e6) / 1e6; };
+      const auto round = [](const double x) {
+        return std::round(x * 1e6) / 1e6;
+      };
       configuration.frame_angle = round(configuration.frame_angle);
       for (Point<dim> &centre : configuration.centres)
         for (unsigned int d = 0; d < dim; ++d)
@@ -131,8 +133,7 @@ namespace Catena
       communicator,
       layout,
       mesh_on_all_ranks<dim>(layout, parameters.mesh, communicator));
-    result.mover =
-      std::make_unique<MeshMover<dim>>(*result.mesh, reference);
+    result.mover = std::make_unique<MeshMover<dim>>(*result.mesh, reference);
     result.initial_quality = result.mesh->quality();
     result.mesh->set_positions(result.mover->positions(configuration));
     return result;
@@ -154,8 +155,8 @@ namespace Catena
     for (unsigned int i = 0; i < layout.particles.size(); ++i)
       for (unsigned int j = 0; j < i; ++j)
         {
-          const Point<dim>    &a = configuration.centres[i];
-          const Point<dim>    &b = configuration.centres[j];
+          const Point<dim>    &a         = configuration.centres[i];
+          const Point<dim>    &b         = configuration.centres[j];
           const Tensor<1, dim> direction = (b - a) / a.distance(b);
           if (elements_across<dim>(mesh,
                                    a + layout.particles[i].radius * direction,
@@ -179,7 +180,7 @@ namespace Catena
       {
         if (layout.particles[i].on_axis)
           continue;
-        const auto   inside = [&](const Point<dim> &p) {
+        const auto inside = [&](const Point<dim> &p) {
           return p[0] >= low[0] && p[0] <= high[0] && p[1] >= low[1] &&
                  p[1] <= high[1];
         };
@@ -258,9 +259,9 @@ namespace Catena
       {
         if (!cell.owned)
           continue;
-        const auto nodes = mesh.cell_positions(cell, mesh.positions());
+        const auto     nodes = mesh.cell_positions(cell, mesh.positions());
         Tensor<2, dim> edges;
-        double lowest = 0., highest = 0.;
+        double         lowest = 0., highest = 0.;
         for (unsigned int v = 1; v <= dim; ++v)
           {
             const Tensor<1, dim> edge = nodes[v] - nodes[0];
@@ -275,9 +276,9 @@ namespace Catena
 
         // barycentric coordinates along the segment: base + t slope >= 0
         const Tensor<2, dim> inverse = invert(edges);
-        Tensor<1, dim>       base = inverse * (begin - nodes[0]),
-                       slope      = inverse * direction;
-        double enter = 0., leave = width, base_0 = 1., slope_0 = 0.;
+        Tensor<1, dim>       base    = inverse * (begin - nodes[0]),
+                       slope         = inverse * direction;
+        double     enter = 0., leave = width, base_0 = 1., slope_0 = 0.;
         const auto clip = [&](const double b, const double s) {
           if (s > 0.)
             enter = std::max(enter, -b / s);
@@ -299,8 +300,9 @@ namespace Catena
             weighted_extents += (leave - enter) * (highest - lowest);
           }
       }
-    chords           = Utilities::MPI::sum(chords, mesh.communicator());
-    weighted_extents = Utilities::MPI::sum(weighted_extents, mesh.communicator());
+    chords = Utilities::MPI::sum(chords, mesh.communicator());
+    weighted_extents =
+      Utilities::MPI::sum(weighted_extents, mesh.communicator());
     return weighted_extents > 0. ? width * chords / weighted_extents :
                                    std::numeric_limits<double>::max();
   }
@@ -310,11 +312,7 @@ namespace Catena
   template class Remesher<2>;
   template class Remesher<3>;
   template double
-  elements_across<2>(const MovingMesh<2> &,
-                     const Point<2> &,
-                     const Point<2> &);
+  elements_across<2>(const MovingMesh<2> &, const Point<2> &, const Point<2> &);
   template double
-  elements_across<3>(const MovingMesh<3> &,
-                     const Point<3> &,
-                     const Point<3> &);
+  elements_across<3>(const MovingMesh<3> &, const Point<3> &, const Point<3> &);
 } // namespace Catena

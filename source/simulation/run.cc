@@ -78,7 +78,7 @@ namespace Catena
     prepare_output_directory(directory, overwrite, communicator);
     simulation.initialize();
 
-    Trajectory<dim> trajectory(directory + "/trajectory.csv",
+    Trajectory<dim>    trajectory(directory + "/trajectory.csv",
                                simulation,
                                communicator);
     FieldSchedule<dim> fields(parameters, directory, communicator);

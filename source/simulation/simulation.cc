@@ -13,8 +13,7 @@ namespace Catena
 
   template <int dim>
   double
-  string_angle(const Scene<dim>              &scene,
-               const std::vector<Point<dim>> &centres)
+  string_angle(const Scene<dim> &scene, const std::vector<Point<dim>> &centres)
   {
     Tensor<1, dim> line;
     if (scene.rotational())
@@ -106,7 +105,7 @@ namespace Catena
     contacts.enforce(now.configuration);
 
     {
-      const auto timer = run_report.time("mesh generation and transfer");
+      const auto timer     = run_report.time("mesh generation and transfer");
       state.discretization = remesher.make(now.configuration);
     }
     set_up_solvers();
@@ -124,8 +123,7 @@ namespace Catena
       }
     now.flow.velocity.update_ghost_values();
     now.flow.pressure = mesh().scalar_field();
-    now.flow.motions =
-      reference_motions<dim>(scene, now.configuration, held);
+    now.flow.motions  = reference_motions<dim>(scene, now.configuration, held);
 
     if (parameters.viscoelastic())
       for (unsigned int k = 0; k < n_symmetric_components(dim); ++k)
@@ -180,18 +178,17 @@ namespace Catena
     step.previous_dt = state.last_dt;
 
     Level<dim> next;
-    next.time          = state.now.time + step.dt;
-    next.configuration = moved_particles(step);
-    result.remeshed    = move_mesh(next);
+    next.time                         = state.now.time + step.dt;
+    next.configuration                = moved_particles(step);
+    result.remeshed                   = move_mesh(next);
     const VectorType velocity_of_mesh = mesh_velocity(next, step);
 
     const bool          last_held_step = held && next.time > -1e-6 * step.dt;
     std::vector<double> reactions;
-    result.flow_iterations =
-      solve_flow(next,
-                 step,
-                 velocity_of_mesh,
-                 last_held_step ? &reactions : nullptr);
+    result.flow_iterations = solve_flow(next,
+                                        step,
+                                        velocity_of_mesh,
+                                        last_held_step ? &reactions : nullptr);
     contacts.release(next.flow.contact_forces);
     if (conformation_solver)
       result.conformation_iterations =
@@ -312,11 +309,11 @@ namespace Catena
     const Level<dim>     &now = state.now, &before = state.before;
     if (!first)
       {
-        next.flow          = now.flow;
-        next.flow.velocity = combine(weights, now.flow.velocity,
-                                     before.flow.velocity);
-        next.flow.pressure = combine(weights, now.flow.pressure,
-                                     before.flow.pressure);
+        next.flow = now.flow;
+        next.flow.velocity =
+          combine(weights, now.flow.velocity, before.flow.velocity);
+        next.flow.pressure =
+          combine(weights, now.flow.pressure, before.flow.pressure);
         if (weights.b1 != 0.)
           for (unsigned int i = 0; i < next.flow.motions.size(); ++i)
             {
@@ -351,7 +348,7 @@ namespace Catena
       const auto timer = run_report.time("flow: assembly");
       flow_solver.assemble(next.configuration, *stress);
     }
-    const auto timer = run_report.time("flow: solve");
+    const auto         timer = run_report.time("flow: solve");
     const unsigned int iterations =
       flow_solver.solve(next.flow,
                         contacts.held(next.configuration),
@@ -373,9 +370,9 @@ namespace Catena
     const auto            timer   = run_report.time("conformation");
     const TwoLevelWeights weights = step.extrapolation();
     const auto           &now     = state.now.log_conformation;
-    const auto &before = state.before.log_conformation.empty() ?
-                           now :
-                           state.before.log_conformation;
+    const auto           &before  = state.before.log_conformation.empty() ?
+                                      now :
+                                      state.before.log_conformation;
     for (unsigned int k = 0; k < now.size(); ++k)
       next.log_conformation.push_back(combine(weights, now[k], before[k]));
     return conformation_solver->solve(next.log_conformation,
@@ -419,9 +416,9 @@ namespace Catena
 
 
 
-#define INSTANTIATE(dim)                                                    \
-  template double string_angle<dim>(const Scene<dim> &,                     \
-                                    const std::vector<Point<dim>> &);       \
+#define INSTANTIATE(dim)                                              \
+  template double string_angle<dim>(const Scene<dim> &,               \
+                                    const std::vector<Point<dim>> &); \
   template class Simulation<dim>;
   INSTANTIATE(2)
   INSTANTIATE(3)

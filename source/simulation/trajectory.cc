@@ -50,8 +50,7 @@ namespace Catena
     table.declare("gap", "2a");
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < i; ++j)
-        table.declare("distance_" + std::to_string(j) + "_" +
-                        std::to_string(i),
+        table.declare("distance_" + std::to_string(j) + "_" + std::to_string(i),
                       "a");
     for (unsigned int i = 0; i < n; ++i)
       {
@@ -121,8 +120,7 @@ namespace Catena
   Trajectory<dim>::add_contacts()
   {
     const Level<dim> &now = simulation.current_state().now;
-    table.add("gap",
-              simulation.contact_set().smallest_gap(now.configuration));
+    table.add("gap", simulation.contact_set().smallest_gap(now.configuration));
     table.add("F_r",
               std::accumulate(now.flow.contact_forces.begin(),
                               now.flow.contact_forces.end(),
@@ -138,7 +136,7 @@ namespace Catena
   Trajectory<dim>::add_conformation()
   {
     ConformationExtremes extremes;
-    const auto &s = simulation.current_state().now.log_conformation;
+    const auto          &s = simulation.current_state().now.log_conformation;
     if (!s.empty())
       extremes = conformation_extremes<dim>(simulation.mesh(), s);
     table.add("smallest_eigenvalue_c", extremes.smallest_eigenvalue);

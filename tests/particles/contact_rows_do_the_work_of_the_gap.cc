@@ -1,6 +1,6 @@
 // The rate of a contact is the rate of change of its gap for any motion of the
-// particles, and its force does the work F_r times that rate: on both particles,
-// on a particle and its image, and on the meshed shares of them.
+// particles, and its force does the work F_r times that rate: on both
+// particles, on a particle and its image, and on the meshed shares of them.
 
 #include <cmath>
 
@@ -18,16 +18,14 @@ check(Tests::Claims &claims)
   auto scenes = Tests::pairs_at<dim>(Tests::held_distance - 1e-6);
   if constexpr (dim == 3)
     {
-      scenes.push_back(
-        {"on the mirror plane",
-         Tests::scene_of<dim>(Symmetry::half,
-                              {{Point<dim>(1., 0.2, 0.)},
-                               {Point<dim>(-1., -0.1, 0.)}})});
-      scenes.push_back(
-        {"one on and one off the mirror plane",
-         Tests::scene_of<dim>(Symmetry::half,
-                              {{Point<dim>(0.7, 0.2, 0.)},
-                               {Point<dim>(-0.3, -0.1, 1.7)}})});
+      scenes.push_back({"on the mirror plane",
+                        Tests::scene_of<dim>(Symmetry::half,
+                                             {{Point<dim>(1., 0.2, 0.)},
+                                              {Point<dim>(-1., -0.1, 0.)}})});
+      scenes.push_back({"one on and one off the mirror plane",
+                        Tests::scene_of<dim>(Symmetry::half,
+                                             {{Point<dim>(0.7, 0.2, 0.)},
+                                              {Point<dim>(-0.3, -0.1, 1.7)}})});
     }
 
   for (const auto &named : scenes)

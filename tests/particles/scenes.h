@@ -35,7 +35,8 @@ namespace Catena
 
     template <int dim>
     Scene<dim>
-    scene_of(const Symmetry symmetry, const std::vector<Particle<dim>> &particles)
+    scene_of(const Symmetry                    symmetry,
+             const std::vector<Particle<dim>> &particles)
     {
       Scene<dim> scene;
       scene.symmetry  = symmetry;

@@ -1,13 +1,13 @@
 // A few steps of three discs in a Giesekus fluid, through a change of mesh:
 // the recorded numbers are the same on one rank and on two.
 
-#include "../tests.h"
-
 #include <catena/scene/three_particles.h>
 #include <catena/simulation/simulation.h>
 
 #include <fstream>
 #include <iomanip>
+
+#include "../tests.h"
 
 int
 main(int argc, char **argv)
@@ -20,11 +20,11 @@ main(int argc, char **argv)
     scene.height = 12.;
 
     SimulationParameters parameters;
-    parameters.giesekus.weissenberg_number = 0.8;
-    parameters.final_strain                = 0.4;
-    parameters.mesh.elements_on_equator    = 24;
-    parameters.mesh.elements_across_gap    = 1;
-    parameters.flow_solver.tolerance       = 1e-11;
+    parameters.giesekus.weissenberg_number   = 0.8;
+    parameters.final_strain                  = 0.4;
+    parameters.mesh.elements_on_equator      = 24;
+    parameters.mesh.elements_across_gap      = 1;
+    parameters.flow_solver.tolerance         = 1e-11;
     parameters.conformation_solver.tolerance = 1e-12;
 
     Simulation<2> simulation(scene.scene<2>(), parameters, MPI_COMM_WORLD);

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/index_set.h>
+
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <algorithm>

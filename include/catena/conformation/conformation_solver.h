@@ -8,6 +8,7 @@
 #include <catena/rheology/giesekus.h>
 
 #include <deal.II/base/parameter_handler.h>
+
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <functional>

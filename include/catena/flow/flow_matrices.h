@@ -3,11 +3,14 @@
 
 #include <catena/base/csr_access.h>
 #include <catena/base/types.h>
+#include <catena/flow/flow_element.h>
 #include <catena/flow/node_couplings.h>
 #include <catena/flow/stress_model.h>
 #include <catena/particles/rigid_bodies.h>
 
 #include <deal.II/base/function.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
@@ -43,8 +46,8 @@ namespace Catena
      * Make sparsity patterns; valid as long as the mesh and which unknowns
      * are constrained do not change.
      */
-    FlowMatrices(const MovingMesh<dim>  &mesh,
-                 const RigidBodies<dim> &bodies,
+    FlowMatrices(const MovingMesh<dim>                &mesh,
+                 const RigidBodies<dim>               &bodies,
                  const std::vector<NodeCoupling<dim>> &couplings);
 
     /**
@@ -118,8 +121,6 @@ namespace Catena
     };
     std::vector<Offsets> offsets;
 
-    struct Element;
-
     void
     find_offsets(const std::vector<NodeCoupling<dim>> &couplings);
 
@@ -134,19 +135,19 @@ namespace Catena
                             const dealii::DynamicSparsityPattern &nodes);
 
     void
-    add_velocity_block(const Element &element, const Offsets &offset);
+    add_velocity_block(const FlowElement<dim> &element, const Offsets &offset);
 
     void
-    add_pressure_blocks(const Element &element, const Offsets &offset);
+    add_pressure_blocks(const FlowElement<dim> &element, const Offsets &offset);
 
     void
-    add_rigid_blocks(const Element &element);
+    add_rigid_blocks(const FlowElement<dim> &element);
 
     void
-    add_right_hand_side(const Element &element);
+    add_right_hand_side(const FlowElement<dim> &element);
 
     void
-    add_preconditioner(const Element &element);
+    add_preconditioner(const FlowElement<dim> &element);
 
     void
     finish(const std::vector<NodeCoupling<dim>> &couplings,

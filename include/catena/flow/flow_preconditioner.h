@@ -63,7 +63,7 @@ namespace Catena
   private:
     struct Component
     {
-      std::vector<unsigned int>                                components;
+      std::vector<unsigned int>                                  components;
       std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> multigrid;
     };
 

@@ -7,6 +7,7 @@
 #include <catena/scene/configuration.h>
 
 #include <deal.II/base/parameter_handler.h>
+
 #include <deal.II/lac/affine_constraints.h>
 
 #include <memory>
@@ -116,10 +117,10 @@ namespace Catena
     Configuration<dim>           configuration;
     bool                         held = false;
 
-    dealii::AffineConstraints<double>      velocity_lines;
-    std::vector<NodeCoupling<dim>>         couplings;
-    std::unique_ptr<FlowMatrices<dim>>     matrices;
-    FlowPreconditioner<dim>                preconditioner;
+    dealii::AffineConstraints<double>  velocity_lines;
+    std::vector<NodeCoupling<dim>>     couplings;
+    std::unique_ptr<FlowMatrices<dim>> matrices;
+    FlowPreconditioner<dim>            preconditioner;
     bool         preconditioner_is_due = true, preconditioner_is_fresh = false;
     unsigned int best_iterations = 0, iterations_lost = 0;
 

@@ -51,8 +51,8 @@ namespace Catena
      * @param coefficients resized to the number of points
      */
     virtual void
-    evaluate(const typename MovingMesh<dim>::Cell         &cell,
-             const CellValues<dim>                        &values,
+    evaluate(const typename MovingMesh<dim>::Cell &cell,
+             const CellValues<dim>                &values,
              std::vector<StressCoefficients<dim>> &coefficients) const = 0;
   };
 
@@ -67,7 +67,7 @@ namespace Catena
   public:
     void
     evaluate(const typename MovingMesh<dim>::Cell &,
-             const CellValues<dim>                        &values,
+             const CellValues<dim>                &values,
              std::vector<StressCoefficients<dim>> &coefficients) const override
     {
       StressCoefficients<dim> newtonian;

@@ -32,11 +32,11 @@ namespace Catena
     /// What is known at one quadrature point.
     struct PointValues
     {
-      double                                          JxW;
-      std::array<double, n_nodes>                     quadratic;
-      std::array<dealii::Tensor<1, dim>, n_nodes>     quadratic_gradient;
-      std::array<double, n_vertices>                  linear;
-      std::array<dealii::Tensor<1, dim>, n_vertices>  linear_gradient;
+      double                                         JxW;
+      std::array<double, n_nodes>                    quadratic;
+      std::array<dealii::Tensor<1, dim>, n_nodes>    quadratic_gradient;
+      std::array<double, n_vertices>                 linear;
+      std::array<dealii::Tensor<1, dim>, n_vertices> linear_gradient;
     };
 
     CellValues();

@@ -39,8 +39,7 @@ namespace Catena
      * @param mesh the mesh to move; must outlive the mover
      * @param reference the configuration the mesh was made for
      */
-    MeshMover(const MovingMesh<dim>    &mesh,
-              const Configuration<dim> &reference);
+    MeshMover(const MovingMesh<dim> &mesh, const Configuration<dim> &reference);
 
     /**
      * Node positions for @p configuration.
@@ -83,9 +82,9 @@ namespace Catena
           VectorType        &displacement) const;
 
     dealii::Tensor<1, dim>
-    particle_displacement(const unsigned int          particle,
-                          const dealii::Point<dim>   &point,
-                          const Configuration<dim>   &configuration) const;
+    particle_displacement(const unsigned int        particle,
+                          const dealii::Point<dim> &point,
+                          const Configuration<dim> &configuration) const;
   };
 } // namespace Catena
 

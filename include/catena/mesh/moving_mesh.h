@@ -7,8 +7,11 @@
 #include <catena/scene/scene.h>
 
 #include <deal.II/base/index_set.h>
+
 #include <deal.II/distributed/shared_tria.h>
+
 #include <deal.II/dofs/dof_handler.h>
+
 #include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping.h>
@@ -59,9 +62,9 @@ namespace Catena
      * @param scene the scene as it is meshed, the reference of all motion
      * @param description its mesh, the same on every rank
      */
-    MovingMesh(const MPI_Comm               communicator,
-               const Scene<dim>            &scene,
-               const MeshDescription<dim>  &description);
+    MovingMesh(const MPI_Comm              communicator,
+               const Scene<dim>           &scene,
+               const MeshDescription<dim> &description);
 
     const Scene<dim> &
     scene() const
@@ -157,7 +160,7 @@ namespace Catena
     }
 
     bool
-    on_boundary(const unsigned int                node,
+    on_boundary(const unsigned int               node,
                 const dealii::types::boundary_id id) const
     {
       return (node_boundaries[node] >> id) & 1u;
@@ -244,12 +247,12 @@ namespace Catena
     quality() const;
 
   private:
-    Scene<dim>                                reference_scene;
+    Scene<dim>                                   reference_scene;
     dealii::parallel::shared::Triangulation<dim> triangulation;
-    dealii::FESystem<dim>                     vector_element;
-    dealii::FE_SimplexP<dim>                  scalar_element;
-    dealii::DoFHandler<dim>                   vectors;
-    dealii::DoFHandler<dim>                   scalars;
+    dealii::FESystem<dim>                        vector_element;
+    dealii::FE_SimplexP<dim>                     scalar_element;
+    dealii::DoFHandler<dim>                      vectors;
+    dealii::DoFHandler<dim>                      scalars;
 
     std::vector<Cell>          local_cells;
     std::vector<std::uint32_t> node_boundaries;
@@ -267,8 +270,8 @@ namespace Catena
     std::unique_ptr<dealii::Mapping<dim>> quadratic_mapping;
 
     Cell
-    describe_cell(const typename dealii::DoFHandler<dim>::active_cell_iterator
-                    &cell) const;
+    describe_cell(
+      const typename dealii::DoFHandler<dim>::active_cell_iterator &cell) const;
 
     std::vector<dealii::Point<dim>>
     classify_nodes(const std::vector<Cell> &all_cells);

@@ -99,8 +99,7 @@ namespace Catena
 
     /// Vector from the nearest image of j to i, and whether it is turned.
     std::pair<dealii::Tensor<1, dim>, bool>
-    separation(const Configuration<dim> &configuration,
-               const Pair               &pair) const;
+    separation(const Configuration<dim> &configuration, const Pair &pair) const;
 
     /// Distance of centres at the smallest gap.
     double

@@ -81,9 +81,9 @@ namespace Catena
     dealii::types::boundary_id to;
     bool                       rotation;
     /// x of the axis for a rotation, else the distance of the translation
-    double                     shift;
+    double shift;
     /// the image may have to be moved by multiples of this along x, 0: never
-    double                     period = 0.;
+    double period = 0.;
 
     /// Image of @p p, before any move by the period.
     dealii::Point<dim>

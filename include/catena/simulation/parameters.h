@@ -63,7 +63,6 @@ namespace Catena
     check() const;
 
   private:
-
     void
     declare_fluid(dealii::ParameterHandler &prm);
 

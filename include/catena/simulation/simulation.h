@@ -148,10 +148,10 @@ namespace Catena
     mesh_velocity(const Level<dim> &next, const TimeStep &step) const;
 
     unsigned int
-    solve_flow(Level<dim>                &next,
-               const TimeStep            &step,
-               const VectorType          &mesh_velocity,
-               std::vector<double>       *reactions);
+    solve_flow(Level<dim>          &next,
+               const TimeStep      &step,
+               const VectorType    &mesh_velocity,
+               std::vector<double> *reactions);
 
     unsigned int
     solve_conformation(Level<dim>       &next,

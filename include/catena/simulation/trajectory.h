@@ -16,9 +16,9 @@ namespace Catena
   class Trajectory
   {
   public:
-    Trajectory(const std::string         &path,
-               const Simulation<dim>     &simulation,
-               const MPI_Comm             communicator);
+    Trajectory(const std::string     &path,
+               const Simulation<dim> &simulation,
+               const MPI_Comm         communicator);
 
     /// Write the row of the present instant; @p step led to it.
     void

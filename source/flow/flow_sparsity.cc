@@ -1,0 +1,114 @@
+#include <catena/flow/flow_sparsity.h>
+
+#include <algorithm>
+
+namespace Catena
+{
+  using namespace dealii;
+
+  template <int dim>
+  FlowSparsity::FlowSparsity(const MovingMesh<dim>                &mesh,
+                             const RigidBodies<dim>               &bodies,
+                             const std::vector<NodeCoupling<dim>> &couplings)
+    : nodes(mesh.n_global_nodes(), mesh.n_global_nodes(), mesh.relevant_nodes())
+    , velocities(mesh.vector_dofs().n_dofs(),
+                 mesh.vector_dofs().n_dofs(),
+                 mesh.relevant_vectors())
+    , gradients(mesh.vector_dofs().n_dofs(),
+                mesh.scalar_dofs().n_dofs(),
+                mesh.relevant_vectors())
+    , divergences(mesh.scalar_dofs().n_dofs(),
+                  mesh.vector_dofs().n_dofs(),
+                  mesh.relevant_scalars())
+    , masses(mesh.scalar_dofs().n_dofs(),
+             mesh.scalar_dofs().n_dofs(),
+             mesh.relevant_scalars())
+    , velocity_motions(mesh.vector_dofs().n_dofs(),
+                       bodies.n_unknowns(),
+                       mesh.relevant_vectors())
+    , pressure_motions(mesh.scalar_dofs().n_dofs(),
+                       bodies.n_unknowns(),
+                       mesh.relevant_scalars())
+  {
+    const auto master_of = [&](const unsigned int vertex) {
+      return mesh.vertex_of_node(
+        mesh.identification().master(mesh.node_of_vertex(vertex)));
+    };
+    for (const auto vertex : mesh.owned_scalars())
+      masses.add(vertex, vertex);
+
+    std::vector<types::global_dof_index> masters, columns, vertices;
+    for (const auto &cell : mesh.cells())
+      {
+        masters.clear();
+        columns.clear();
+        vertices.clear();
+        std::vector<unsigned int> motions;
+        for (const unsigned int node : cell.nodes)
+          {
+            if (couplings[node].rigid)
+              {
+                const auto range = bodies.range(mesh.particle(node));
+                for (unsigned int k = range.first; k < range.second; ++k)
+                  motions.push_back(k);
+              }
+            if (couplings[node].has_unknown())
+              masters.push_back(couplings[node].master);
+          }
+        std::sort(masters.begin(), masters.end());
+        masters.erase(std::unique(masters.begin(), masters.end()),
+                      masters.end());
+        for (const auto master : masters)
+          for (unsigned int d = 0; d < dim; ++d)
+            columns.push_back(dim * master + d);
+        for (const unsigned int vertex : cell.vertices)
+          vertices.push_back(master_of(vertex));
+        std::sort(vertices.begin(), vertices.end());
+        vertices.erase(std::unique(vertices.begin(), vertices.end()),
+                       vertices.end());
+
+        for (const auto master : masters)
+          nodes.add_entries(master, masters.begin(), masters.end(), true);
+        for (const auto row : columns)
+          {
+            gradients.add_entries(row, vertices.begin(), vertices.end(), true);
+            for (const unsigned int k : motions)
+              velocity_motions.add(row, k);
+          }
+        for (const auto vertex : vertices)
+          {
+            divergences.add_entries(vertex,
+                                    columns.begin(),
+                                    columns.end(),
+                                    true);
+            masses.add_entries(vertex, vertices.begin(), vertices.end(), true);
+            for (const unsigned int k : motions)
+              pressure_motions.add(vertex, k);
+          }
+      }
+
+    for (const auto node : mesh.owned_nodes())
+      nodes.add(node, node);
+    for (const auto node : mesh.owned_nodes())
+      {
+        columns.clear();
+        for (auto it = nodes.begin(node); it != nodes.end(node); ++it)
+          for (unsigned int d = 0; d < dim; ++d)
+            columns.push_back(dim * it->column() + d);
+        for (unsigned int d = 0; d < dim; ++d)
+          velocities.add_entries(dim * node + d,
+                                 columns.begin(),
+                                 columns.end(),
+                                 true);
+      }
+  }
+
+
+
+  template FlowSparsity::FlowSparsity(const MovingMesh<2> &,
+                                      const RigidBodies<2> &,
+                                      const std::vector<NodeCoupling<2>> &);
+  template FlowSparsity::FlowSparsity(const MovingMesh<3> &,
+                                      const RigidBodies<3> &,
+                                      const std::vector<NodeCoupling<3>> &);
+} // namespace Catena
