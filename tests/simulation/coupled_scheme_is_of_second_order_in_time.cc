@@ -1,0 +1,146 @@
+// Three discs in a Giesekus fluid on one mesh that moves with them, from rest
+// through the start-up with fixed discs and the ramp of their holding force to
+// a free motion: halving the time step divides what it changes by four.
+//
+// What is of first order in the time step goes with the element size: the
+// stress is predicted from fields that do not satisfy the transport equation
+// point by point, and the SUPG weight depends on the time step. On a coarse
+// mesh that is what is left; it must fall with the element size.
+
+#include <string>
+
+#include "../tests.h"
+
+#include "../print.h"
+#include "three_discs.h"
+
+using namespace Catena;
+using namespace Catena::Tests;
+
+/// The state at strain 2 on one mesh.
+DiscState
+simulate(Claims &claims, const double h, const double dt)
+{
+  SimulationParameters parameters = three_discs_parameters(h, dt);
+  parameters.final_strain         = 2.;
+  Simulation<2> simulation(three_discs(), parameters, MPI_COMM_WORLD);
+  simulation.initialize();
+  bool   remeshed = false;
+  double gap = 1., quality = 1.;
+  while (simulation.strain() < parameters.final_strain - 1e-9)
+    {
+      remeshed |= simulation.advance().remeshed;
+      gap     = std::min(gap,
+                     simulation.contact_set().smallest_gap(
+                       simulation.current_state().now.configuration));
+      quality = std::min(quality, simulation.mesh().quality());
+    }
+  const DiscState state = state_of_discs(simulation);
+  print("element size ",
+        h,
+        ", dt ",
+        dt,
+        ": ",
+        simulation.mesh().n_global_cells(),
+        " elements, smallest gap ",
+        gap,
+        " diameters, smallest quality ",
+        quality,
+        ", position ",
+        state.position[0],
+        ' ',
+        state.position[1],
+        ", velocity ",
+        state.velocity[0],
+        ' ',
+        state.velocity[1],
+        ", spins ",
+        state.spins[0],
+        ' ',
+        state.spins[1]);
+  if (remeshed || gap < 0.1)
+    claims.holds("one mesh and no contact", false);
+  return state;
+}
+
+
+
+/**
+ * What halving the time step changes.
+ */
+struct Changes
+{
+  std::string         name;
+  std::vector<double> of_halving;
+
+  double
+  order(const unsigned int i) const
+  {
+    return std::log2(of_halving[i] / of_halving[i + 1]);
+  }
+
+  /// The part of first order of the last change, if the rest is of second
+  double
+  first_order() const
+  {
+    const unsigned int n = of_halving.size();
+    return std::abs(4. * of_halving[n - 1] - of_halving[n - 2]);
+  }
+};
+
+
+
+std::vector<Changes>
+changes(Claims &claims, const double h)
+{
+  std::vector<Changes>   result = {{"position", {}},
+                                   {"velocity", {}},
+                                   {"spins", {}}};
+  std::vector<DiscState> states;
+  for (const double dt : {0.2, 0.1, 0.05, 0.025})
+    {
+      states.push_back(simulate(claims, h, dt));
+      const unsigned int n = states.size();
+      if (n == 1)
+        continue;
+      const DiscState &a = states[n - 2], &b = states[n - 1];
+      result[0].of_halving.push_back(distance(a.position, b.position));
+      result[1].of_halving.push_back(distance(a.velocity, b.velocity));
+      result[2].of_halving.push_back(distance(a.spins, b.spins));
+      if (n > 2)
+        for (const Changes &c : result)
+          print("  ",
+                c.name,
+                " changes by ",
+                c.of_halving[n - 3],
+                ", then ",
+                c.of_halving[n - 2],
+                ", order ",
+                c.order(n - 3));
+    }
+  return result;
+}
+
+
+
+int
+main(int argc, char **argv)
+{
+  return run(argc, argv, [](Claims &claims) {
+    const auto coarse = changes(claims, 0.4);
+    const auto fine   = changes(claims, 0.2);
+    for (unsigned int i = 0; i < fine.size(); ++i)
+      {
+        const std::string &name = fine[i].name;
+        claims.at_least(name + ", order 2 from dt 0.2 to 0.05",
+                        fine[i].order(0),
+                        1.7);
+        claims.at_least(name + ", order 2 from dt 0.1 to 0.025",
+                        fine[i].order(1),
+                        1.7);
+        claims.at_most(name + ", what is of first order goes with the mesh",
+                       fine[i].first_order() / coarse[i].first_order(),
+                       0.5);
+      }
+  });
+}
