@@ -37,7 +37,7 @@ namespace Catena
             "Weissenberg number",
             weissenberg_number,
             "must be positive and finite; for a fluid without elasticity "
-            "choose Model = newtonian.");
+            "choose 'Fluid/Model' = newtonian.");
     require(mobility_parameter >= 0. && mobility_parameter <= 1.,
             "Mobility parameter",
             mobility_parameter,
@@ -50,7 +50,7 @@ namespace Catena
             "Solvent viscosity ratio",
             solvent_viscosity_ratio,
             "the solvent is all of the viscosity and no polymer is left; "
-            "choose Model = newtonian.");
+            "choose 'Fluid/Model' = newtonian.");
   }
 
 
