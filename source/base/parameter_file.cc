@@ -289,6 +289,10 @@ namespace Catena
           for (const std::string no_bound :
                {" <= MAX_DOUBLE", "-MAX_DOUBLE <= "})
             words = Utilities::replace_in_string(words, no_bound, "");
+          const std::string no_condition = " v such that v";
+          if (words.size() > no_condition.size() &&
+              words.substr(words.size() - no_condition.size()) == no_condition)
+            words.resize(words.size() - no_condition.size());
           return "must be " + words;
         }
       catch (const std::exception &)

@@ -26,7 +26,7 @@ namespace Catena
     prm.add_parameter("Maximal iterations",
                       max_iterations,
                       "Iterations after which a solve has failed.",
-                      Patterns::Integer());
+                      Patterns::Integer(0));
   }
 
 

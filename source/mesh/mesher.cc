@@ -278,13 +278,13 @@ namespace Catena
       elements_on_equator,
       "n_part, elements along the equator of a particle: their size is "
       "2 pi a / n_part. At least 8.",
-      Integer());
+      Integer(0));
     parameters.add_parameter(
       "Elements across gap",
       elements_across_gap,
       "n_min, smallest number of elements across the gap between two "
       "particles or a particle and a wall. At least 1.",
-      Integer());
+      Integer(0));
     parameters.add_parameter(
       "Size growth",
       growth,

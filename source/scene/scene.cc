@@ -182,6 +182,10 @@ namespace Catena
                     "block; move it or choose another symmetry");
         if (dim == 3)
           {
+            require(p.radius < high[dim - 1],
+                    "Scene/Width",
+                    width,
+                    "enlarge the box: it must be wider than a particle");
             const double z         = p.centre[dim - 1];
             const bool   on_mirror = mirrored() && z == 0.;
             require(on_mirror || (z - p.radius > low[dim - 1] &&
@@ -190,10 +194,6 @@ namespace Catena
                     p.centre,
                     "the particle crosses a mirror plane; put its centre on "
                     "z = 0 or choose another symmetry");
-            require(p.radius < high[dim - 1],
-                    "Scene/Width",
-                    width,
-                    "enlarge the box: it must be wider than a particle");
           }
 
         for (unsigned int j = 0; j <= i; ++j)
