@@ -49,14 +49,14 @@ namespace Catena
               pressure * unit_symmetric_tensor<dim>();
             for (unsigned int a = 0; a < mesh.n_nodes; ++a)
               {
-                const unsigned int particle = mesh.particle(cell.nodes[a]);
-                if (particle == none)
+                const unsigned int node = cell.nodes[a];
+                if (mesh.particle(node) == none)
                   continue;
-                const Tensor<1, dim> reaction =
-                  point.JxW * (total * point.quadratic_gradient[a]);
+                const Tensor<1, dim> reaction = mesh.particle_image(node).turn(
+                  point.JxW * (total * point.quadratic_gradient[a]));
                 const Tensor<1, dim> arm =
-                  positions[a] - configuration.centres[particle];
-                const auto range = bodies.range(particle);
+                  mesh.arm(node, positions[a], configuration.centres);
+                const auto range = bodies.range(mesh.particle(node));
                 for (unsigned int k = range.first; k < range.second; ++k)
                   forces[k] += bodies.unit_velocity(k, arm) * reaction;
               }

@@ -51,9 +51,11 @@ namespace Catena
 
         if (particle != MovingMesh<dim>::no_particle)
           {
-            const Tensor<1, dim> arm = x - configuration.centres[particle];
+            const Image<dim>    &image = mesh.particle_image(node);
+            const Tensor<1, dim> arm = mesh.arm(node, x, configuration.centres);
             const Tensor<1, dim> known =
-              references[particle].at(arm) - scene.imposed_velocity(x);
+              image.turn(references[particle].at(arm)) -
+              scene.imposed_velocity(x);
             for (unsigned int d = 0; d < dim; ++d)
               {
                 constraints.add_line(dim * node + d);
@@ -63,7 +65,8 @@ namespace Catena
             for (unsigned int k = range.first; k < range.second; ++k)
               if (bodies.is_free(k))
                 {
-                  const Tensor<1, dim> u = bodies.unit_velocity(k, arm);
+                  const Tensor<1, dim> u =
+                    image.turn(bodies.unit_velocity(k, arm));
                   for (unsigned int d = 0; d < dim; ++d)
                     if (u[d] != 0.)
                       constraints.add_entry(dim * node + d,

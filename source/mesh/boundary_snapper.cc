@@ -59,11 +59,12 @@ namespace Catena
   void
   BoundarySnapper<dim>::snap_to_particles()
   {
+    const auto surfaces = scene.surfaces();
     for (unsigned int v = 0; v < ids.size(); ++v)
       for (const auto id : ids[v])
         if (id >= BoundaryIds::particle)
           {
-            const auto &particle = scene.particles[id - BoundaryIds::particle];
+            const auto &particle = surfaces[id - BoundaryIds::particle];
 
             // only coordinates that no plane prescribes are scaled
             std::array<bool, dim> fixed = {};

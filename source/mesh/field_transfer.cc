@@ -73,6 +73,7 @@ namespace Catena
     : source(source)
     , target(target)
     , target_positions(target_positions)
+    , images(source.scene().images())
     , locator(all_cell_nodes<dim>(source, source_positions))
   {
     this->target_positions.update_ghost_values();
@@ -99,18 +100,18 @@ namespace Catena
   typename FieldTransfer<dim>::Place
   FieldTransfer<dim>::find(const Point<dim> &point, double &violation) const
   {
-    const bool rotational = source.scene().rotational();
-    const auto images     = source.scene().rotated_images(point);
-    Place      place;
+    Place place;
     violation = std::numeric_limits<double>::max();
-    for (unsigned int k = 0; k < images.size() && violation > 1e-10; ++k)
+    for (const Image<dim> &image : images)
       {
-        const auto location = locator.locate(images[k]);
+        const auto location = locator.locate(image(point));
         if (location.violation < violation)
           {
             violation = location.violation;
-            place = {location.cell, location.unit, rotational && k % 2 == 1};
+            place     = {location.cell, location.unit, image.turned};
           }
+        if (violation < 1e-10)
+          break;
       }
     return place;
   }

@@ -20,11 +20,11 @@ namespace Catena
     {
       std::vector<std::array<double, 2>> segments = {
         {{scene.lower()[2], scene.upper()[2]}}};
-      for (const auto &particle : scene.particles)
+      for (const auto &surface : scene.surfaces())
         {
-          const Point<3> &c = particle.centre;
+          const Point<3> &c = surface.centre;
           const double rho2 = (x - c[0]) * (x - c[0]) + (y - c[1]) * (y - c[1]);
-          const double r2   = particle.radius * particle.radius;
+          const double r2   = surface.radius * surface.radius;
           if (rho2 >= r2)
             continue;
           const double reach = std::sqrt(r2 - rho2);
@@ -44,31 +44,61 @@ namespace Catena
 
 
 
+    /// The image of a particle that has its centre in the block.
+    template <int dim>
+    Image<dim>
+    image_in_block(const Scene<dim> &scene, const Particle<dim> &particle)
+    {
+      const Point<dim> low = scene.lower(), high = scene.upper();
+      for (const Image<dim> &image : scene.images())
+        {
+          const Point<dim> c = image(particle.centre);
+          if (c[0] >= low[0] && c[0] <= high[0] && c[1] >= low[1] &&
+              c[1] <= high[1])
+            return image;
+        }
+      return {};
+    }
+
+
+
     /**
-     * Direction in the x-y plane away from the nearest neighbour or, for a
-     * particle on the axis, out of the block. The seam of a sphere goes there.
+     * Direction in the x-y plane of the seam of a sphere: out of the block for
+     * a particle on the axis, straight away from a plane that it crosses, else
+     * away from the nearest neighbour. It is turned with an image, so that the
+     * curves on identified planes are images of each other.
      */
     template <int dim>
     double
-    seam_angle(const Scene<dim> &scene, const Particle<dim> &particle)
+    seam_angle(const Scene<dim> &scene, const Surface<dim> &surface)
     {
+      const Particle<dim> &particle = scene.particles[surface.particle];
       if (particle.on_axis)
         return scene.cut == Cut::x_plane ? dealii::numbers::PI :
                                            -dealii::numbers::PI_2;
 
+      const Image<dim>       home   = image_in_block(scene, particle);
+      const Point<dim>       centre = home(particle.centre);
       dealii::Tensor<1, dim> away;
-      away[0]        = 1.;
-      double nearest = scene.length;
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          if (centre[d] - particle.radius < scene.lower()[d])
+            away[d] += 1.;
+          if (centre[d] + particle.radius > scene.upper()[d])
+            away[d] -= 1.;
+        }
+      double nearest = away.norm() > 0. ? 0. : scene.length;
       for (const auto &other : scene.particles)
-        for (const auto &image : scene.rotated_images(other.centre))
+        for (const auto &image : scene.images())
           {
-            const double distance = image.distance(particle.centre);
+            const double distance = image(other.centre).distance(centre);
             if (distance > geometric_tolerance && distance < nearest)
               {
                 nearest = distance;
-                away    = particle.centre - image;
+                away    = centre - image(other.centre);
               }
           }
+      away = surface.image.turn(home.turn(away));
       return std::atan2(away[1], away[0]);
     }
   } // namespace
@@ -120,13 +150,11 @@ namespace Catena
         }
     else
       {
+        const auto surfaces = scene.surfaces();
         const bool covered =
-          std::any_of(scene.particles.begin(),
-                      scene.particles.end(),
-                      [&](const auto &particle) {
-                        return particle.centre.distance(Point<dim>(x, y)) <=
-                               particle.radius;
-                      });
+          std::any_of(surfaces.begin(), surfaces.end(), [&](const auto &s) {
+            return s.centre.distance(Point<dim>(x, y)) <= s.radius;
+          });
         if (!covered)
           entities.emplace_back(0, gmsh::model::occ::addPoint(x, y, 0.));
       }
@@ -137,16 +165,16 @@ namespace Catena
 
   template <int dim>
   int
-  add_particle(const Scene<dim> &scene, const Particle<dim> &particle)
+  add_particle(const Scene<dim> &scene, const Surface<dim> &surface)
   {
-    const double      radius = particle.radius;
-    const Point<dim> &c      = particle.centre;
+    const double      radius = surface.radius;
+    const Point<dim> &c      = surface.centre;
     const double      z      = dim == 3 ? c[dim - 1] : 0.;
     const int         tag    = dim == 3 ?
                                  gmsh::model::occ::addSphere(c[0], c[1], z, radius) :
                                  gmsh::model::occ::addDisk(c[0], c[1], z, radius, radius);
     gmsh::model::occ::rotate(
-      {{dim, tag}}, c[0], c[1], z, 0., 0., 1., seam_angle(scene, particle));
+      {{dim, tag}}, c[0], c[1], z, 0., 0., 1., seam_angle(scene, surface));
     return tag;
   }
 
@@ -157,11 +185,11 @@ namespace Catena
   template gmsh::vectorpair
   splitting_entities(const Scene<2> &, const double, const double);
   template int
-  add_particle(const Scene<2> &, const Particle<2> &);
+  add_particle(const Scene<2> &, const Surface<2> &);
   template std::vector<double>
   split_positions(const Scene<3> &, const Identification<3> &);
   template gmsh::vectorpair
   splitting_entities(const Scene<3> &, const double, const double);
   template int
-  add_particle(const Scene<3> &, const Particle<3> &);
+  add_particle(const Scene<3> &, const Surface<3> &);
 } // namespace Catena

@@ -218,8 +218,8 @@ namespace Catena
           low[0], low[1], low[dim - 1], size[0], size[1], size[dim - 1]) :
         occ::addRectangle(low[0], low[1], 0., size[0], size[1]);
     gmsh::vectorpair spheres;
-    for (const auto &particle : scene.particles)
-      spheres.emplace_back(dim, add_particle(scene, particle));
+    for (const auto &surface : scene.surfaces())
+      spheres.emplace_back(dim, add_particle(scene, surface));
 
     gmsh::vectorpair              result = {{dim, block}};
     std::vector<gmsh::vectorpair> origin;
@@ -294,11 +294,11 @@ namespace Catena
             return 2 * d + 1;
         }
 
-    const Point<dim> p = point_on_surface<dim>(tag);
-    for (unsigned int i = 0; i < scene.particles.size(); ++i)
-      if (std::abs(p.distance(scene.particles[i].centre) -
-                   scene.particles[i].radius) <
-          geometric_tolerance * scene.particles[i].radius)
+    const Point<dim> p     = point_on_surface<dim>(tag);
+    const auto       parts = scene.surfaces();
+    for (unsigned int i = 0; i < parts.size(); ++i)
+      if (std::abs(p.distance(parts[i].centre) - parts[i].radius) <
+          geometric_tolerance * parts[i].radius)
         return BoundaryIds::particle + i;
 
     throw MeshError("a surface of the mesh belongs to no plane and no "

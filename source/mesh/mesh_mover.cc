@@ -142,15 +142,16 @@ namespace Catena
   template <int dim>
   Tensor<1, dim>
   MeshMover<dim>::particle_displacement(
-    const unsigned int        particle,
+    const unsigned int        node,
     const Point<dim>         &point,
     const Configuration<dim> &configuration) const
   {
-    const Point<dim>    &centre = reference.centres[particle];
-    const Tensor<1, dim> arm    = point - centre;
+    const unsigned int   particle = mesh.particle(node);
+    const Tensor<1, dim> arm      = mesh.arm(node, point, reference.centres);
     const double angle = configuration.frame_angle - reference.frame_angle;
-    return configuration.centres[particle] - centre +
-           turned_about_z<dim>(arm, angle) - arm;
+    return mesh.particle_image(node).turn(
+      configuration.centres[particle] - reference.centres[particle] +
+      turned_about_z<dim>(arm, angle) - arm);
   }
 
 
@@ -220,15 +221,14 @@ namespace Catena
           displacement.zero_out_ghost_values();
           for (const auto vertex : mesh.owned_scalars())
             {
-              const unsigned int node     = mesh.node_of_vertex(vertex);
-              const unsigned int particle = mesh.particle(node);
-              if (particle == MovingMesh<dim>::no_particle)
+              const unsigned int node = mesh.node_of_vertex(vertex);
+              if (mesh.particle(node) == MovingMesh<dim>::no_particle)
                 continue;
               Point<dim> point;
               for (unsigned int e = 0; e < dim; ++e)
                 point[e] = mesh.reference_positions()(dim * node + e);
               displacement(vertex) =
-                particle_displacement(particle, point, configuration)[d];
+                particle_displacement(node, point, configuration)[d];
             }
           solve(problem, d, displacement);
           displacement.update_ghost_values();
@@ -242,8 +242,7 @@ namespace Catena
           point[d] = mesh.reference_positions()(dim * node + d);
         Tensor<1, dim> displacement;
         if (mesh.particle(node) != MovingMesh<dim>::no_particle)
-          displacement =
-            particle_displacement(mesh.particle(node), point, configuration);
+          displacement = particle_displacement(node, point, configuration);
         else
           for (const unsigned int end : mesh.edge_ends(node))
             for (unsigned int d = 0; d < dim; ++d)

@@ -35,6 +35,7 @@ namespace Catena
     , scalar_element(1)
     , vectors(triangulation)
     , scalars(triangulation)
+    , surfaces(scene.surfaces())
   {
     triangulation.create_triangulation(description.vertices,
                                        description.cells,
@@ -111,7 +112,7 @@ namespace Catena
     const unsigned int      n = vectors.n_dofs() / dim;
     std::vector<Point<dim>> points(n);
     node_boundaries.assign(n, 0);
-    node_particles.assign(n, no_particle);
+    node_surfaces.assign(n, no_particle);
     node_vertices.assign(n, numbers::invalid_unsigned_int);
     vertex_nodes.resize(scalars.n_dofs());
     node_ends.resize(n);
@@ -151,7 +152,7 @@ namespace Catena
                       in_face[edge_vertices[i - n_vertices][0]] &&
                         in_face[edge_vertices[i - n_vertices][1]];
                   if (inside && id >= BoundaryIds::particle)
-                    node_particles[cell.nodes[i]] = id - BoundaryIds::particle;
+                    node_surfaces[cell.nodes[i]] = id - BoundaryIds::particle;
                   else if (inside)
                     node_boundaries[cell.nodes[i]] |= 1u << id;
                 }
@@ -159,11 +160,11 @@ namespace Catena
       }
 
     for (unsigned int i = 0; i < n; ++i)
-      if (node_particles[i] != no_particle && node_ends[i][0] != i)
+      if (node_surfaces[i] != no_particle && node_ends[i][0] != i)
         {
-          const Particle<dim> &p = reference_scene.particles[node_particles[i]];
-          const Tensor<1, dim> r = points[i] - p.centre;
-          points[i]              = p.centre + p.radius / r.norm() * r;
+          const Surface<dim>  &s = surfaces[node_surfaces[i]];
+          const Tensor<1, dim> r = points[i] - s.centre;
+          points[i]              = s.centre + s.radius / r.norm() * r;
         }
     return points;
   }
@@ -197,7 +198,7 @@ namespace Catena
         if (!mine)
           continue;
         for (unsigned int e = n_vertices; e < n_nodes; ++e)
-          cell.curved |= node_particles[cell.nodes[e]] != no_particle;
+          cell.curved |= node_surfaces[cell.nodes[e]] != no_particle;
         for (const unsigned int node : cell.nodes)
           relevant[node] = relevant[node_identification->master(node)] = 1;
         local_cells.push_back(cell);

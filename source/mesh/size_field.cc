@@ -68,8 +68,9 @@ namespace Catena
     const Point<dim> upper = scene.upper();
 
     for (const auto &particle : scene.particles)
-      for (const auto &centre : scene.rotated_images(particle.centre))
+      for (const auto &image : scene.images())
         {
+          const Point<dim> centre = image(particle.centre);
           // the size at the block is capped before such an image matters
           const double reach =
             particle.radius +

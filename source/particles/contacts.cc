@@ -10,19 +10,6 @@ namespace Catena
 
   namespace
   {
-    /// v turned by 180 degrees about z if asked for.
-    template <int dim>
-    Tensor<1, dim>
-    turn(Tensor<1, dim> v, const bool turned)
-    {
-      if (turned)
-        {
-          v[0] = -v[0];
-          v[1] = -v[1];
-        }
-      return v;
-    }
-
     /// Add @p value along @p direction to the translations of a particle.
     template <int dim>
     void
@@ -48,7 +35,7 @@ namespace Catena
   {
     std::vector<double> row(bodies.n_unknowns(), 0.);
     add_translation<dim>(bodies, i, direction, false, row);
-    add_translation<dim>(bodies, j, -turn<dim>(direction, turned), false, row);
+    add_translation<dim>(bodies, j, -image.turn(direction), false, row);
     return row;
   }
 
@@ -61,8 +48,7 @@ namespace Catena
     std::vector<double> column(bodies.n_unknowns(), 0.);
     add_translation<dim>(bodies, i, direction, true, column);
     if (i != j)
-      add_translation<dim>(
-        bodies, j, -turn<dim>(direction, turned), true, column);
+      add_translation<dim>(bodies, j, -image.turn(direction), true, column);
     return column;
   }
 
@@ -82,26 +68,13 @@ namespace Catena
 
 
   template <int dim>
-  std::pair<Tensor<1, dim>, bool>
+  std::pair<Tensor<1, dim>, Image<dim>>
   Contacts<dim>::separation(const Configuration<dim> &configuration,
                             const Pair               &pair) const
   {
-    const auto     images = scene.rotated_images(configuration.centres[pair.j]);
-    const bool     rotated = scene.rotational();
-    Tensor<1, dim> nearest;
-    bool           turned   = false;
-    double         distance = std::numeric_limits<double>::max();
-    for (unsigned int k = (pair.i == pair.j ? 1 : 0); k < images.size(); ++k)
-      {
-        const Tensor<1, dim> r = configuration.centres[pair.i] - images[k];
-        if (r.norm() < distance)
-          {
-            distance = r.norm();
-            nearest  = r;
-            turned   = rotated && k % 2 == 1;
-          }
-      }
-    return {nearest, turned};
+    const auto      &x     = configuration.centres;
+    const Image<dim> image = scene.nearest_image(x, pair.i, pair.j);
+    return {x[pair.i] - image(x[pair.j]), image};
   }
 
 
@@ -170,7 +143,7 @@ namespace Catena
             if (i_moves)
               configuration.centres[pair.i] += move;
             if (j_moves && pair.i != pair.j)
-              configuration.centres[pair.j] -= turn<dim>(move, r.second);
+              configuration.centres[pair.j] -= r.second.turn(move);
           }
         if (error < 1e-13)
           break;

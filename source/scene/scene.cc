@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Catena
 {
@@ -30,15 +31,12 @@ namespace Catena
   Scene<dim>::lower() const
   {
     Point<dim> p;
-    p[0] = -length / 2.;
+    p[0] = window_centre - length / 2.;
     p[1] = -height / 2.;
     if (rotational() && cut == Cut::x_plane)
       p[0] = 0.;
     if (rotational() && cut == Cut::y_plane)
-      {
-        p[0] += window_centre;
-        p[1] = 0.;
-      }
+      p[1] = 0.;
     if (dim == 3)
       p[dim - 1] = mirrored() ? 0. : -width / 2.;
     return p;
@@ -51,10 +49,10 @@ namespace Catena
   Scene<dim>::upper() const
   {
     Point<dim> p;
-    p[0] = length / 2.;
+    p[0] = window_centre + length / 2.;
     p[1] = height / 2.;
-    if (rotational() && cut == Cut::y_plane)
-      p[0] += window_centre;
+    if (rotational() && cut == Cut::x_plane)
+      p[0] = length / 2.;
     if (dim == 3)
       p[dim - 1] = width / 2.;
     return p;
@@ -77,25 +75,69 @@ namespace Catena
 
 
   template <int dim>
-  std::vector<Point<dim>>
-  Scene<dim>::rotated_images(const Point<dim> &p) const
+  std::vector<Image<dim>>
+  Scene<dim>::images() const
   {
-    std::vector<Point<dim>> images{p};
-    if (rotational())
+    std::vector<Image<dim>> result;
+    for (const double shift : {0., -length, length})
       {
-        Point<dim> rotated = p;
-        rotated[0]         = -p[0];
-        rotated[1]         = -p[1];
-        images.push_back(rotated);
+        result.push_back({false, shift});
+        if (rotational())
+          result.push_back({true, shift});
       }
-    const unsigned int n = images.size();
-    for (const double move : {-length, length})
-      for (unsigned int i = 0; i < n; ++i)
+    return result;
+  }
+
+
+
+  template <int dim>
+  Image<dim>
+  Scene<dim>::nearest_image(const std::vector<Point<dim>> &centres,
+                            const unsigned int             i,
+                            const unsigned int             j) const
+  {
+    const std::vector<Image<dim>> all      = images();
+    double                        distance = std::numeric_limits<double>::max();
+    Image<dim>                    nearest;
+    for (unsigned int k = (i == j ? 1 : 0); k < all.size(); ++k)
+      {
+        const double d = centres[i].distance(all[k](centres[j]));
+        if (d < distance)
+          {
+            distance = d;
+            nearest  = all[k];
+          }
+      }
+    return nearest;
+  }
+
+
+
+  template <int dim>
+  std::vector<Surface<dim>>
+  Scene<dim>::surfaces() const
+  {
+    const Point<dim>          low = lower(), high = upper();
+    std::vector<Surface<dim>> result;
+    for (const Image<dim> &image : images())
+      for (unsigned int i = 0; i < particles.size(); ++i)
         {
-          images.push_back(images[i]);
-          images.back()[0] += move;
+          const Point<dim> centre = image(particles[i].centre);
+          const double     radius = particles[i].radius;
+          bool             meets  = true;
+          for (unsigned int d = 0; d < dim; ++d)
+            meets &=
+              centre[d] + radius > low[d] && centre[d] - radius < high[d];
+          // a particle on the axis is its own image
+          const bool known =
+            std::any_of(result.begin(), result.end(), [&](const auto &other) {
+              return other.particle == i &&
+                     other.centre.distance(centre) < 1e-8 * radius;
+            });
+          if (meets && !known)
+            result.push_back({i, image, centre, radius});
         }
-    return images;
+    return result;
   }
 
 
@@ -115,10 +157,11 @@ namespace Catena
   double
   Scene<dim>::gap(const unsigned int i, const unsigned int j) const
   {
-    const std::vector<Point<dim>> images = rotated_images(particles[j].centre);
-    double                        distance = std::numeric_limits<double>::max();
-    for (unsigned int k = (i == j ? 1 : 0); k < images.size(); ++k)
-      distance = std::min(distance, particles[i].centre.distance(images[k]));
+    const std::vector<Point<dim>> centres = {particles[i].centre,
+                                             particles[j].centre};
+    const unsigned int            other   = i == j ? 0 : 1;
+    const double                  distance =
+      centres[0].distance(nearest_image(centres, 0, other)(centres[other]));
     return distance - particles[i].radius - particles[j].radius;
   }
 
@@ -172,14 +215,6 @@ namespace Catena
                   name,
                   p.centre,
                   "a particle on the axis must have its centre at x = y = 0");
-        else
-          for (unsigned int d = 0; d < 2; ++d)
-            require(p.centre[d] - p.radius > low[d] &&
-                      p.centre[d] + p.radius < high[d],
-                    name,
-                    p.centre,
-                    "the particle crosses a plane that bounds the meshed "
-                    "block; move it or choose another symmetry");
         if (dim == 3)
           {
             require(p.radius < high[dim - 1],

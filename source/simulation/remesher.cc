@@ -76,6 +76,75 @@ namespace Catena
 
 
 
+  namespace
+  {
+    /**
+     * How well a plane can be meshed at @p distance from the centre of a
+     * sphere: badly if it nearly touches the sphere or cuts it near its pole.
+     */
+    double
+    suitability(const double distance, const double radius)
+    {
+      constexpr double most  = 20.;
+      const double     d     = std::abs(distance);
+      const double     depth = radius - d;
+      return depth > 0. ? std::min(depth, d) : std::min(most, -10. * depth);
+    }
+
+
+
+    /// The worst suitability of the identified planes for the particles.
+    template <int dim>
+    double
+    suitability(const Scene<dim> &scene)
+    {
+      const bool x_cut = scene.rotational() && scene.cut == Cut::x_plane;
+      double     worst = std::numeric_limits<double>::max();
+      for (const Particle<dim> &p : scene.particles)
+        for (const Image<dim> &image : scene.images())
+          {
+            if (p.on_axis)
+              continue;
+            const Point<dim> c = image(p.centre);
+            worst              = std::min({worst,
+                                           suitability(c[0] - scene.lower()[0], p.radius),
+                                           suitability(c[0] - scene.upper()[0], p.radius)});
+            if (scene.rotational() && !x_cut)
+              worst = std::min(worst, suitability(c[1], p.radius));
+          }
+      return worst;
+    }
+
+
+
+    /**
+     * The ways to cut the block out of the box, the usual ones first: both
+     * cuts of a rotationally symmetric box, and windows of the period.
+     */
+    template <int dim>
+    std::vector<Scene<dim>>
+    possible_layouts(Scene<dim> scene)
+    {
+      constexpr int           n_windows = 64;
+      std::vector<Scene<dim>> layouts;
+      scene.cut           = Cut::x_plane;
+      scene.window_centre = 0.;
+      layouts.push_back(scene);
+      if (scene.rotational())
+        scene.cut = Cut::y_plane;
+      for (int i = 0; i < n_windows; ++i)
+        {
+          // 0, 1, -1, 2, -2, ...
+          scene.window_centre =
+            (i % 2 == 1 ? 1 : -1) * ((i + 1) / 2) * scene.length / n_windows;
+          layouts.push_back(scene);
+        }
+      return layouts;
+    }
+  } // namespace
+
+
+
   template <int dim>
   Remesher<dim>::Remesher(const Scene<dim>           &scene,
                           const SimulationParameters &parameters,
@@ -94,29 +163,12 @@ namespace Catena
     Scene<dim> layout = scene;
     for (unsigned int i = 0; i < layout.particles.size(); ++i)
       layout.particles[i].centre = configuration.centres[i];
-    if (!layout.rotational())
-      return layout;
-
-    // cut along the plane that is farther from the particles beside the axis
-    double x = std::numeric_limits<double>::max(), y = x, mean_x = 0.;
-    for (const Particle<dim> &p : layout.particles)
-      if (!p.on_axis)
-        {
-          x      = std::min({x,
-                             std::abs(p.centre[0]),
-                             scene.length / 2. - std::abs(p.centre[0])});
-          y      = std::min(y, std::abs(p.centre[1]));
-          mean_x = p.centre[0];
-        }
-    layout.cut = x >= y ? Cut::x_plane : Cut::y_plane;
-    if (layout.cut == Cut::y_plane)
-      {
-        // keep the ends of the period away from the particle
-
-        layout.window_centre =
-          std::abs(mean_x) < scene.length / 8. ? 0. : mean_x / 2.;
-      }
-    return layout;
+    const std::vector<Scene<dim>> options = possible_layouts(layout);
+    return *std::max_element(options.begin(),
+                             options.end(),
+                             [](const auto &a, const auto &b) {
+                               return suitability(a) < suitability(b);
+                             });
   }
 
 
@@ -152,16 +204,21 @@ namespace Catena
       return true;
 
     const Scene<dim> &layout = mesh.scene();
-    for (unsigned int i = 0; i < layout.particles.size(); ++i)
-      for (unsigned int j = 0; j < i; ++j)
+    const auto       &x      = configuration.centres;
+    for (unsigned int i = 0; i < x.size(); ++i)
+      for (unsigned int j = 0; j <= i; ++j)
         {
-          const Point<dim>    &a         = configuration.centres[i];
-          const Point<dim>    &b         = configuration.centres[j];
-          const Tensor<1, dim> direction = (b - a) / a.distance(b);
-          if (elements_across<dim>(mesh,
-                                   a + layout.particles[i].radius * direction,
-                                   b - layout.particles[j].radius * direction) <
-              parameters.remesh_gap * parameters.mesh.elements_across_gap)
+          if (i == j && (!layout.rotational() || layout.particles[i].on_axis))
+            continue;
+          const Point<dim>     b         = layout.nearest_image(x, i, j)(x[j]);
+          const Tensor<1, dim> direction = (b - x[i]) / x[i].distance(b);
+          const Point<dim>     begin =
+            x[i] + layout.particles[i].radius * direction;
+          const Point<dim> end = b - layout.particles[j].radius * direction;
+          // wide gaps are resolved by the elements of the surfaces
+          if (begin.distance(end) < layout.particles[i].radius &&
+              elements_across<dim>(mesh, begin, end) <
+                parameters.remesh_gap * parameters.mesh.elements_across_gap)
             return true;
         }
     return false;
@@ -187,27 +244,46 @@ namespace Catena
         if (inside(next.centres[i]))
           continue;
 
-        const auto images = layout.rotated_images(next.centres[i]);
-        for (unsigned int k = 1; k < images.size(); ++k)
-          if (inside(images[k]))
+        for (const Image<dim> &image : layout.images())
+          if (inside(image(next.centres[i])))
             {
-              const bool turned = layout.rotational() && k % 2 == 1;
-              for (Level<dim> *level : {&state.now, &state.before})
-                if (!level->configuration.centres.empty())
-                  {
-                    Point<dim> &centre = level->configuration.centres[i];
-                    centre             = layout.rotated_images(centre)[k];
-                    if (turned && !level->flow.motions.empty())
-                      for (unsigned int d = 0; d < 2; ++d)
-                        {
-                          level->flow.motions[i].velocity[d] *= -1.;
-                          level->flow.motions[i].angular_velocity[d] *= -1.;
-                        }
-                  }
-              next.centres[i] = images[k];
+              replace_by_image(image, i, state);
+              next.centres[i] = image(next.centres[i]);
               break;
             }
       }
+  }
+
+
+
+  /**
+   * Describe particle @p i by its image.
+   */
+  template <int dim>
+  void
+  Remesher<dim>::replace_by_image(const Image<dim>  &image,
+                                  const unsigned int i,
+                                  State<dim>        &state) const
+  {
+    for (Level<dim> *level : {&state.now, &state.before})
+      if (!level->configuration.centres.empty())
+        {
+          Point<dim> &centre = level->configuration.centres[i];
+          centre             = image(centre);
+          if (level->flow.motions.empty())
+            continue;
+          RigidMotion<dim> &motion = level->flow.motions[i];
+          motion.velocity          = image.turn(motion.velocity);
+          if (image.turned)
+            for (unsigned int d = 0; d < 2; ++d)
+              motion.angular_velocity[d] *= -1.;
+        }
+
+    const RigidBodies<dim> bodies(scene);
+    const auto             range = bodies.range(i);
+    for (unsigned int k = range.first; k < range.second; ++k)
+      if (image.turned && bodies.unknown(k).axis < 2)
+        state.holding_forces[k] *= -1.;
   }
 
 

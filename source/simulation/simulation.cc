@@ -28,8 +28,8 @@ namespace Catena
         if (n_beside != 1)
           return 0.;
       }
-    else if (centres.size() == 2)
-      line = centres[1] - centres[0];
+    else if (centres.size() == 2 || centres.size() == 3)
+      line = scene.nearest_image(centres, 0, 1)(centres[1]) - centres[0];
     else
       return 0.;
 

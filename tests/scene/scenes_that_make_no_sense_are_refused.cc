@@ -3,8 +3,8 @@
 // parameters of one.
 
 #include <catena/base/exceptions.h>
+#include <catena/scene/line_of_particles.h>
 #include <catena/scene/scene.h>
-#include <catena/scene/three_particles.h>
 
 #include <functional>
 #include <limits>
@@ -124,18 +124,6 @@ places(Tests::Claims &claims)
           at(0., 19., Symmetry::none),
           {name + "0 19", "wall"});
   refused(claims,
-          "across the end of the period" + suffix,
-          at(39.5, 0., Symmetry::none),
-          {name + "39.5 0", "plane", "move it or choose another symmetry"});
-  refused(claims,
-          "across the plane of the rotation" + suffix,
-          at(0.5, 3., Symmetry::quarter),
-          {name + "0.5 3", "plane", "move it or choose another symmetry"});
-  refused(claims,
-          "on the other side of that plane" + suffix,
-          at(-3., 3., Symmetry::quarter),
-          {name + "-3 3", "plane"});
-  refused(claims,
           "on the axis by name only" + suffix,
           []() {
             Point<dim> centre;
@@ -248,11 +236,21 @@ sensible_scenes(Tests::Claims &claims)
   accepted("a particle close to its image",
            one_particle<3>(Point<3>(1.001, 0.1, 0.), Symmetry::quarter));
   accepted("a disc", one_particle<2>(Point<2>(5., 3.)));
+  accepted("a particle across the end of the period",
+           one_particle<3>(Point<3>(39.5, 0., 3.)));
+  accepted("a particle across the plane of the rotation",
+           one_particle<3>(Point<3>(0.5, 3., 0.), Symmetry::quarter));
 
-  ThreeParticlesParameters parameters;
-  accepted("the paper's scene", parameters);
-  parameters.distance = 2.001;
-  accepted("a closer one", parameters);
+  for (const unsigned int n : {2, 3})
+    {
+      LineOfParticlesParameters parameters(n);
+      const std::string         name = std::to_string(n) + " particles, ";
+      accepted(name + "the paper's scene", parameters);
+      parameters.distance = n - 0.999;
+      accepted(name + "closer", parameters);
+      parameters.symmetry = Symmetry::half;
+      accepted(name + "half of the box", parameters);
+    }
 }
 
 
@@ -260,15 +258,23 @@ sensible_scenes(Tests::Claims &claims)
 void
 three_particles(Tests::Claims &claims)
 {
-  const auto with = [](double ThreeParticlesParameters::*const entry,
-                       const double                            value) {
+  const auto with = [](double LineOfParticlesParameters::*const entry,
+                       const double                             value) {
     return [=]() {
-      ThreeParticlesParameters parameters;
+      LineOfParticlesParameters parameters(3);
       parameters.*entry = value;
       parameters.check();
     };
   };
-  using Parameters = ThreeParticlesParameters;
+  const auto with_box = [](double BoxParameters::*const entry,
+                           const double                 value) {
+    return [=]() {
+      LineOfParticlesParameters parameters(3);
+      parameters.box.*entry = value;
+      parameters.check();
+    };
+  };
+  using Parameters = LineOfParticlesParameters;
   refused(claims,
           "three particles: overlap",
           with(&Parameters::distance, 1.9),
@@ -283,23 +289,23 @@ three_particles(Tests::Claims &claims)
           {"'Scene/Distance' = nan", "more than 2"});
   refused(claims,
           "three particles: steep line",
-          with(&Parameters::angle, 60.),
-          {"'Scene/Angle' = 60", "45"});
+          with(&Parameters::angle, 95.),
+          {"'Scene/Angle' = 95", "90"});
   refused(claims,
           "three particles: in a wall",
-          with(&Parameters::height, 2.5),
+          with_box(&BoxParameters::height, 2.5),
           {"'Scene/Height' = 2.5", "wall", "enlarge the box"});
   refused(claims,
           "three particles: meeting the periodic image",
-          with(&Parameters::length, 7.),
+          with_box(&BoxParameters::length, 7.),
           {"'Scene/Length' = 7", "periodic image", "enlarge the box"});
   refused(claims,
           "three particles: negative width",
-          with(&Parameters::width, -20.),
+          with_box(&BoxParameters::width, -20.),
           {"'Scene/Width' = -20", "positive"});
   refused(claims,
           "three particles: thin box",
-          with(&Parameters::width, 2.),
+          with_box(&BoxParameters::width, 2.),
           {"'Scene/Width' = 2", "wider"});
 }
 

@@ -1,7 +1,7 @@
 // A few steps of three discs in a Giesekus fluid, through a change of mesh:
 // the recorded numbers are the same on one rank and on two.
 
-#include <catena/scene/three_particles.h>
+#include <catena/scene/line_of_particles.h>
 #include <catena/simulation/simulation.h>
 
 #include <fstream>
@@ -15,9 +15,9 @@ main(int argc, char **argv)
   using namespace Catena;
 
   return Tests::run(argc, argv, [](auto &claims) {
-    ThreeParticlesParameters scene;
-    scene.length = 20.;
-    scene.height = 12.;
+    LineOfParticlesParameters scene(3);
+    scene.box.length = 20.;
+    scene.box.height = 12.;
 
     SimulationParameters parameters;
     parameters.giesekus.weissenberg_number   = 0.8;

@@ -62,10 +62,12 @@ namespace Catena
       bool               turned;
     };
 
-    const MovingMesh<dim>  &source;
-    const MovingMesh<dim>  &target;
-    const VectorType        target_positions;
-    const PointLocator<dim> locator;
+    const MovingMesh<dim> &source;
+    const MovingMesh<dim> &target;
+    const VectorType       target_positions;
+    /// under which a point outside of the old mesh may lie in it
+    const std::vector<Image<dim>> images;
+    const PointLocator<dim>       locator;
     /// of the owned P2 nodes of the target, in their order
     std::vector<Place> node_places;
 

@@ -27,13 +27,13 @@ namespace Catena
   splitting_entities(const Scene<dim> &scene, const double x, const double y);
 
   /**
-   * Add a particle to the model of gmsh's OpenCASCADE kernel.
+   * Add the particle of a surface to the model of gmsh's OpenCASCADE kernel.
    *
    * @return the tag of the volume (surface for dim = 2)
    */
   template <int dim>
   int
-  add_particle(const Scene<dim> &scene, const Particle<dim> &particle);
+  add_particle(const Scene<dim> &scene, const Surface<dim> &surface);
 } // namespace Catena
 
 #endif

@@ -82,7 +82,7 @@ namespace Catena
           VectorType        &displacement) const;
 
     dealii::Tensor<1, dim>
-    particle_displacement(const unsigned int        particle,
+    particle_displacement(const unsigned int        node,
                           const dealii::Point<dim> &point,
                           const Configuration<dim> &configuration) const;
   };

@@ -182,7 +182,29 @@ namespace Catena
     unsigned int
     particle(const unsigned int node) const
     {
-      return node_particles[node];
+      return node_surfaces[node] == no_particle ?
+               no_particle :
+               surfaces[node_surfaces[node]].particle;
+    }
+
+    /// The image of its particle on which a node of a particle lies.
+    const Image<dim> &
+    particle_image(const unsigned int node) const
+    {
+      return surfaces[node_surfaces[node]].image;
+    }
+
+    /**
+     * Vector from the centre of its particle to a node of a particle at @p x,
+     * as it is on the particle itself: turned back if the node is on a turned
+     * image.
+     */
+    dealii::Tensor<1, dim>
+    arm(const unsigned int                     node,
+        const dealii::Point<dim>              &x,
+        const std::vector<dealii::Point<dim>> &centres) const
+    {
+      return particle_image(node).origin(x) - centres[particle(node)];
     }
 
     const NodeIdentification &
@@ -256,7 +278,8 @@ namespace Catena
 
     std::vector<Cell>          local_cells;
     std::vector<std::uint32_t> node_boundaries;
-    std::vector<unsigned int>  node_particles;
+    std::vector<Surface<dim>>  surfaces;
+    std::vector<unsigned int>  node_surfaces;
     std::vector<unsigned int>  vertex_nodes;
     std::vector<unsigned int>  node_vertices;
 

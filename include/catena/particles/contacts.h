@@ -21,8 +21,8 @@ namespace Catena
     /// unit vector from the (image of the) centre of j to that of i
     dealii::Tensor<1, dim> direction;
 
-    /// the image of j is turned by 180 degrees about z
-    bool turned;
+    /// the image of j that i touches
+    Image<dim> image;
 
     /**
      * Coefficients of the gap rate in the rigid-body unknowns,
@@ -97,8 +97,8 @@ namespace Catena
     const double      minimal_gap;
     std::vector<Pair> pairs;
 
-    /// Vector from the nearest image of j to i, and whether it is turned.
-    std::pair<dealii::Tensor<1, dim>, bool>
+    /// Vector from the nearest image of j to i, and this image.
+    std::pair<dealii::Tensor<1, dim>, Image<dim>>
     separation(const Configuration<dim> &configuration, const Pair &pair) const;
 
     /// Distance of centres at the smallest gap.

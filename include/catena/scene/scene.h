@@ -1,6 +1,8 @@
 #ifndef catena_scene_scene_h
 #define catena_scene_scene_h
 
+#include <catena/scene/image.h>
+
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -29,8 +31,7 @@ namespace Catena
 
   /**
    * The plane along which the box is cut in two when it is rotationally
-   * symmetric: x = 0 or y = 0. Both give the same flow; the one that stays
-   * clear of the particles is used.
+   * symmetric: x = 0 or y = 0. Both give the same flow.
    */
   enum class Cut
   {
@@ -39,7 +40,9 @@ namespace Catena
   };
 
   /**
-   * Boundary ids of a mesh. Particle i has the id `particle + i`.
+   * Boundary ids of a mesh. Surface i of Scene::surfaces() has the id
+   * `particle + i`; as long as no particle crosses a plane that bounds the
+   * meshed block, surface i is that of particle i.
    */
   namespace BoundaryIds
   {
@@ -67,6 +70,19 @@ namespace Catena
      * particle is meshed and it can only turn.
      */
     bool on_axis = false;
+  };
+
+  /**
+   * The part of a particle's surface, or of that of an image of it, that lies
+   * in the meshed block.
+   */
+  template <int dim>
+  struct Surface
+  {
+    unsigned int       particle;
+    Image<dim>         image;
+    dealii::Point<dim> centre;
+    double             radius;
   };
 
   /**
@@ -117,7 +133,7 @@ namespace Catena
     Symmetry symmetry = Symmetry::none;
     Cut      cut      = Cut::x_plane;
 
-    /// x of the middle of the meshed period when the cut is the plane y = 0
+    /// x of the middle of the meshed period, unless the cut is the plane x = 0
     double window_centre = 0.;
 
     std::vector<Particle<dim>> particles;
@@ -146,12 +162,27 @@ namespace Catena
     identifications() const;
 
     /**
-     * Images of @p p under the rotation and the period of the scene: the
-     * identity first, then the rotation, then both moved by one period to
-     * either side.
+     * The rotation and the period of the scene: the identity first, then the
+     * rotation, then both moved by one period to either side.
      */
-    std::vector<dealii::Point<dim>>
-    rotated_images(const dealii::Point<dim> &p) const;
+    std::vector<Image<dim>>
+    images() const;
+
+    /**
+     * The image of @p j, other than itself for i == j, whose centre is nearest
+     * to that of @p i when the centres are at @p centres.
+     */
+    Image<dim>
+    nearest_image(const std::vector<dealii::Point<dim>> &centres,
+                  const unsigned int                     i,
+                  const unsigned int                     j) const;
+
+    /**
+     * What of the particles and their images meets the meshed block: the
+     * particles that do first, in their order.
+     */
+    std::vector<Surface<dim>>
+    surfaces() const;
 
     /**
      * The share of a particle that is meshed is 1/multiplicity; a force on

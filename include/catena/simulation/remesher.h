@@ -49,7 +49,8 @@ namespace Catena
     const SimulationParameters parameters;
     const MPI_Comm             communicator;
 
-    /// The scene with particles at @p configuration and the better cut.
+    /// The scene with particles at @p configuration and the planes that bound
+    /// the meshed block where they suit them best.
     Scene<dim>
     scene_at(const Configuration<dim> &configuration) const;
 
@@ -58,6 +59,11 @@ namespace Catena
     choose_images(const Scene<dim>   &layout,
                   State<dim>         &state,
                   Configuration<dim> &next) const;
+
+    void
+    replace_by_image(const Image<dim>  &image,
+                     const unsigned int particle,
+                     State<dim>        &state) const;
   };
 
 

@@ -170,7 +170,7 @@ namespace Catena
   /**
    * Angle of the line of centres of a string about z, in [-pi, pi]: of the
    * particle beside the axis in a rotationally symmetric scene, else from the
-   * first particle to the second. Zero for any other number of particles.
+   * first of two or three particles to the second. Zero for any other number.
    */
   template <int dim>
   double
