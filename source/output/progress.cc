@@ -189,14 +189,13 @@ namespace Catena
     const double per_step =
       (recent.back().second - recent.front().second) / (recent.size() - 1);
 
-    std::string text = format("strain %.2f of %g, theta %.1f deg, dt %.3g, "
-                              "%u its, %.2g s/step",
-                              status.strain,
-                              end,
-                              status.theta,
-                              status.dt,
-                              status.iterations,
-                              per_step);
+    std::string text = format("strain %.2f of %g", status.strain, end);
+    if (status.theta)
+      text += format(", theta %.1f deg", *status.theta);
+    text += format(", dt %.3g, %u its, %.2g s/step",
+                   status.dt,
+                   status.iterations,
+                   per_step);
     if (seconds_left() >= 0.)
       text += ", " + duration_in_words(seconds_left()) + " left";
     return text;

@@ -90,17 +90,21 @@ namespace Catena
   {
     Scene<dim> result = box.scene<dim>(symmetry);
     Point<dim> outer;
-    outer[0] = distance * std::cos(angle * numbers::PI / 180.);
-    outer[1] = distance * std::sin(angle * numbers::PI / 180.);
+    outer[0]              = distance * std::cos(angle * numbers::PI / 180.);
+    outer[1]              = distance * std::sin(angle * numbers::PI / 180.);
+    const bool rotational = symmetry == Symmetry::quarter;
     if (n_particles == 3)
       {
         Particle<dim> middle;
-        middle.on_axis = symmetry == Symmetry::quarter;
+        middle.on_axis = rotational;
         result.particles.push_back(middle);
       }
+    const unsigned int first = result.particles.size();
     result.particles.push_back({outer});
-    if (symmetry != Symmetry::quarter)
+    if (!rotational)
       result.particles.push_back({-outer});
+    const unsigned int other = n_particles == 3 ? 0 : 1;
+    result.line              = {{first, rotational ? first : other}};
     return result;
   }
 

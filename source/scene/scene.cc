@@ -168,6 +168,21 @@ namespace Catena
 
 
   template <int dim>
+  double
+  Scene<dim>::line_angle(const std::vector<Point<dim>> &centres) const
+  {
+    if (!line)
+      return 0.;
+    const unsigned int to = (*line)[0], from = (*line)[1];
+    Tensor<1, dim>     direction = centres[to];
+    if (to != from)
+      direction -= nearest_image(centres, to, from)(centres[from]);
+    return std::atan2(direction[1], direction[0]);
+  }
+
+
+
+  template <int dim>
   Tensor<1, dim>
   Scene<dim>::imposed_velocity(const Point<dim> &p)
   {

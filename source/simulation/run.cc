@@ -100,9 +100,10 @@ namespace Catena
         record(step);
         Progress::Status status;
         status.strain = simulation.strain();
-        status.theta =
-          simulation.current_state().now.configuration.frame_angle * 180. /
-          numbers::PI;
+        if (scene.line)
+          status.theta =
+            simulation.current_state().now.configuration.frame_angle * 180. /
+            numbers::PI;
         status.dt         = step.dt;
         status.iterations = step.flow_iterations;
         progress.update(status);

@@ -11,33 +11,6 @@ namespace Catena
 {
   using namespace dealii;
 
-  template <int dim>
-  double
-  string_angle(const Scene<dim> &scene, const std::vector<Point<dim>> &centres)
-  {
-    Tensor<1, dim> line;
-    if (scene.rotational())
-      {
-        unsigned int n_beside = 0;
-        for (unsigned int i = 0; i < centres.size(); ++i)
-          if (!scene.particles[i].on_axis)
-            {
-              line = centres[i];
-              ++n_beside;
-            }
-        if (n_beside != 1)
-          return 0.;
-      }
-    else if (centres.size() == 2 || centres.size() == 3)
-      line = scene.nearest_image(centres, 0, 1)(centres[1]) - centres[0];
-    else
-      return 0.;
-
-    return std::atan2(line[1], line[0]);
-  }
-
-
-
   namespace
   {
     /// The weighted sum of a field at two instants.
@@ -100,8 +73,7 @@ namespace Catena
     now.time        = initial_strain();
     for (const Particle<dim> &p : scene.particles)
       now.configuration.centres.push_back(p.centre);
-    now.configuration.frame_angle =
-      string_angle<dim>(scene, now.configuration.centres);
+    now.configuration.frame_angle = scene.line_angle(now.configuration.centres);
     contacts.enforce(now.configuration);
 
     {
@@ -232,9 +204,8 @@ namespace Catena
       }
     contacts.enforce(next);
     // a string turned by half a turn is the same string
-    const double turn =
-      string_angle<dim>(scene, next.centres) -
-      string_angle<dim>(scene, state.now.configuration.centres);
+    const double turn = scene.line_angle(next.centres) -
+                        scene.line_angle(state.now.configuration.centres);
     next.frame_angle += std::remainder(turn, numbers::PI);
     return next;
   }
@@ -416,11 +387,6 @@ namespace Catena
 
 
 
-#define INSTANTIATE(dim)                                              \
-  template double string_angle<dim>(const Scene<dim> &,               \
-                                    const std::vector<Point<dim>> &); \
-  template class Simulation<dim>;
-  INSTANTIATE(2)
-  INSTANTIATE(3)
-#undef INSTANTIATE
+  template class Simulation<2>;
+  template class Simulation<3>;
 } // namespace Catena

@@ -15,6 +15,9 @@ namespace Catena
     /// F_S = 6 pi eta0 gamma a^2, the unit in which forces are written.
     constexpr double stokes_force = 6. * numbers::PI;
 
+    /// distances of all pairs are written for so many particles
+    constexpr unsigned int max_with_distances = 4;
+
     const std::array<std::string, 3> axes = {{"x", "y", "z"}};
 
     std::string
@@ -46,9 +49,10 @@ namespace Catena
       simulation.current_state().now.configuration.centres.size();
     table.declare("strain");
     table.declare("dt", "1/gamma");
-    table.declare("theta", "deg");
+    if (simulation.initial_scene().line)
+      table.declare("theta", "deg");
     table.declare("gap", "2a");
-    for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int i = 0; i < n && n <= max_with_distances; ++i)
       for (unsigned int j = 0; j < i; ++j)
         table.declare("distance_" + std::to_string(j) + "_" + std::to_string(i),
                       "a");
@@ -88,7 +92,7 @@ namespace Catena
     const auto                &x      = now.configuration.centres;
     for (unsigned int i = 0; i < x.size(); ++i)
       {
-        for (unsigned int j = 0; j < i; ++j)
+        for (unsigned int j = 0; j < i && x.size() <= max_with_distances; ++j)
           table.add("distance_" + std::to_string(j) + "_" + std::to_string(i),
                     x[i].distance(x[j]));
         const RigidMotion<dim> &motion = now.flow.motions[i];
@@ -152,7 +156,8 @@ namespace Catena
     const Level<dim> &now = simulation.current_state().now;
     table.add("strain", now.time);
     table.add("dt", step.dt);
-    table.add("theta", now.configuration.frame_angle * 180. / numbers::PI);
+    if (simulation.initial_scene().line)
+      table.add("theta", now.configuration.frame_angle * 180. / numbers::PI);
     add_particles();
     add_contacts();
     add_conformation();

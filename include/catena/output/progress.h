@@ -5,6 +5,7 @@
 
 #include <deque>
 #include <functional>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -45,8 +46,8 @@ namespace Catena
       /// Strain gamma t reached.
       double strain = 0.;
 
-      /// Orientation of the string in degrees.
-      double theta = 0.;
+      /// Orientation of the line of particles in degrees, if there is one.
+      std::optional<double> theta;
 
       /// Time step, in 1/gamma.
       double dt = 0.;

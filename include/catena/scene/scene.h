@@ -9,6 +9,7 @@
 #include <deal.II/base/types.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -138,6 +139,13 @@ namespace Catena
 
     std::vector<Particle<dim>> particles;
 
+    /**
+     * The particles whose line of centres has the angle theta, which the mesh
+     * on the surfaces of the particles follows: from the second to the first,
+     * or from the axis if both are the same. Without it there is no theta.
+     */
+    std::optional<std::array<unsigned int, 2>> line;
+
     bool
     rotational() const
     {
@@ -197,6 +205,13 @@ namespace Catena
      */
     double
     gap(const unsigned int i, const unsigned int j) const;
+
+    /**
+     * theta, the angle of the line of centres about z, in [-pi, pi], when the
+     * centres are at @p centres; 0 without a line.
+     */
+    double
+    line_angle(const std::vector<dealii::Point<dim>> &centres) const;
 
     /**
      * Imposed shear flow u = (-y, 0, 0), in units of gamma a.

@@ -80,6 +80,12 @@ namespace Catena
     double
     initial_strain() const;
 
+    const Scene<dim> &
+    initial_scene() const
+    {
+      return scene;
+    }
+
     const State<dim> &
     current_state() const
     {
@@ -165,17 +171,6 @@ namespace Catena
     set_up_solvers();
   };
 
-
-
-  /**
-   * Angle of the line of centres of a string about z, in [-pi, pi]: of the
-   * particle beside the axis in a rotationally symmetric scene, else from the
-   * first of two or three particles to the second. Zero for any other number.
-   */
-  template <int dim>
-  double
-  string_angle(const Scene<dim>                      &scene,
-               const std::vector<dealii::Point<dim>> &centres);
 } // namespace Catena
 
 #endif
