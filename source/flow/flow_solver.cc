@@ -145,7 +145,8 @@ namespace Catena
   {
     matrices->assemble(couplings,
                        *last_stress,
-                       mesh->scene().imposed_gradient(),
+                       configuration.shear_rate *
+                         mesh->scene().imposed_gradient(),
                        preconditioner_is_due,
                        last_force);
     preconditioner_is_fresh = preconditioner_is_due;
@@ -250,7 +251,8 @@ namespace Catena
         Point<dim> x;
         for (unsigned int d = 0; d < dim; ++d)
           x[d] = mesh->positions()(dim * node + d);
-        const Tensor<1, dim> imposed = mesh->scene().imposed_velocity(x);
+        const Tensor<1, dim> imposed =
+          configuration.shear_rate * mesh->scene().imposed_velocity(x);
         for (unsigned int d = 0; d < dim; ++d)
           if (couplings[node].master == node &&
               couplings[node].factors[d] != 0.)
@@ -369,8 +371,9 @@ namespace Catena
         Point<dim> x;
         for (unsigned int d = 0; d < dim; ++d)
           x[d] = mesh->positions()(dim * node + d);
-        const Tensor<1, dim> imposed  = mesh->scene().imposed_velocity(x);
-        const auto          &coupling = couplings[node];
+        const Tensor<1, dim> imposed =
+          configuration.shear_rate * mesh->scene().imposed_velocity(x);
+        const auto &coupling = couplings[node];
         for (unsigned int d = 0; d < dim; ++d)
           {
             double value = imposed[d] + coupling.known[d];

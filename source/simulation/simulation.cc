@@ -118,8 +118,10 @@ namespace Catena
         Point<dim> x;
         for (unsigned int d = 0; d < dim; ++d)
           x[d] = now.positions(dim * node + d);
+        const Tensor<1, dim> imposed =
+          now.configuration.shear_rate * scene.imposed_velocity(x);
         for (unsigned int d = 0; d < dim; ++d)
-          now.flow.velocity(dim * node + d) = scene.imposed_velocity(x)[d];
+          now.flow.velocity(dim * node + d) = imposed[d];
       }
     now.flow.velocity.update_ghost_values();
     now.flow.pressure = mesh().scalar_field();
