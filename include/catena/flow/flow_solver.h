@@ -51,6 +51,21 @@ namespace Catena
 
 
   /**
+   * What is left of the balance of momentum, mass and particles, as the norm of
+   * the vector of all equations.
+   */
+  struct FlowResidual
+  {
+    double norm = 0.;
+    /// of the disturbance problem's right-hand side
+    double right_hand_side = 0.;
+    /// what rounding leaves
+    double rounding = 0.;
+  };
+
+
+
+  /**
    * Solves the balance of momentum and mass of the fluid together with that
    * of the particles,
    *
@@ -98,6 +113,34 @@ namespace Catena
           const std::vector<Contact<dim>> &contacts,
           const std::vector<double>       &external_forces);
 
+    /**
+     * Residual to which the coming solves go, in place of the tolerance of the
+     * parameters; 0: that tolerance again.
+     */
+    void
+    solve_to(const double residual)
+    {
+      wanted_residual = residual;
+    }
+
+    /**
+     * The residual of the assembled equations at @p fields, which satisfy the
+     * constraints. With a stress linearised about @p fields it is that of the
+     * nonlinear equations. A contact takes part when it carries a force.
+     */
+    FlowResidual
+    residual(const FlowFields<dim>           &fields,
+             const std::vector<Contact<dim>> &contacts,
+             const std::vector<double>       &external_forces) const;
+
+    /**
+     * Give the velocity its values on walls, symmetry planes and, by their
+     * motions, particles.
+     */
+    void
+    impose_constraints(const Configuration<dim> &configuration,
+                       FlowFields<dim>          &fields);
+
     /// Number of velocity, pressure, rigid-body unknowns together.
     dealii::types::global_dof_index
     n_unknowns() const;
@@ -123,6 +166,10 @@ namespace Catena
     FlowPreconditioner<dim>            preconditioner;
     bool         preconditioner_is_due = true, preconditioner_is_fresh = false;
     unsigned int best_iterations = 0, iterations_lost = 0;
+    double       wanted_residual = 0.;
+
+    void
+    set_configuration(const Configuration<dim> &configuration);
 
     void
     assemble_matrices();
@@ -141,6 +188,9 @@ namespace Catena
     first_guess(const FlowFields<dim> &fields,
                 const unsigned int     n_contacts) const;
 
+    double
+    target(const BlockVectorType &rhs) const;
+
     unsigned int
     iterate(BlockVectorType       &solution,
             const BlockVectorType &rhs,
@@ -148,6 +198,10 @@ namespace Catena
 
     void
     extract(const BlockVectorType &solution, FlowFields<dim> &fields) const;
+
+    void
+    extract_velocity(const BlockVectorType &solution,
+                     FlowFields<dim>       &fields) const;
   };
 } // namespace Catena
 
