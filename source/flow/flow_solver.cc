@@ -5,6 +5,7 @@
 #include <deal.II/lac/solver_gmres.h>
 
 #include <cmath>
+#include <limits>
 
 namespace Catena
 {
@@ -349,6 +350,7 @@ namespace Catena
     typename SolverFGMRES<BlockVectorType>::AdditionalData data(100);
     SolverFGMRES<BlockVectorType>(control, data)
       .solve(system, solution, rhs, preconditioner);
+    decades = std::log10(control.initial_value() / control.last_value());
     return control.last_step();
   }
 
@@ -396,12 +398,17 @@ namespace Catena
     if (!std::isfinite(solution.l2_norm()))
       throw SolverError("The flow solver gave values that are not finite.");
 
-    best_iterations       = preconditioner_is_fresh ?
-                              iterations :
-                              std::min(best_iterations, iterations);
-    iterations_lost       = preconditioner_is_fresh ?
-                              0 :
-                              iterations_lost + iterations - best_iterations;
+    if (preconditioner_is_fresh)
+      {
+        best_rate       = std::numeric_limits<double>::max();
+        iterations_lost = 0.;
+      }
+    // a shorter solve says too little, a longer one had nothing to do
+    if (decades > 0.5 && decades < 20.)
+      {
+        best_rate = std::min(best_rate, iterations / decades);
+        iterations_lost += iterations - best_rate * decades;
+      }
     preconditioner_is_due = iterations_lost > set_up_cost;
     extract(solution, fields);
     return iterations;

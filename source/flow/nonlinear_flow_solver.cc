@@ -45,13 +45,13 @@ namespace Catena
   {
     /// Picard's method as long as the residual is larger, relative to the
     /// right-hand side
-    constexpr double picard_residual = 0.1;
+    constexpr double picard_residual = 0.05;
 
     /// reduction of the residual by a linear solve: of a Picard step, and the
     /// largest and smallest of a Newton step
     constexpr double picard_forcing   = 0.1;
     constexpr double largest_forcing  = 0.1;
-    constexpr double smallest_forcing = 1e-3;
+    constexpr double smallest_forcing = 1e-6;
 
     /// smallest part of a Newton step that is tried
     constexpr double smallest_step = 0.1;
@@ -113,7 +113,8 @@ namespace Catena
     flow_solver.impose_constraints(configuration, x.fields);
     linearise(problem, x, Linearisation::newton);
 
-    double forcing = largest_forcing;
+    double forcing          = largest_forcing;
+    bool   picard_converges = true;
     while (true)
       {
         const FlowResidual now = x.residual;
@@ -133,20 +134,17 @@ namespace Catena
           }
 
         const bool far = now.norm > picard_residual * now.right_hand_side;
-        if (far || !newton_step(problem, x, forcing, report))
+        if ((far && picard_converges) ||
+            !newton_step(problem, x, forcing, report))
           {
             picard_step(problem, x, report);
-            forcing = largest_forcing;
+            picard_converges = x.residual.norm < now.norm;
+            forcing          = largest_forcing;
             continue;
           }
-        // what the quadratic convergence allows, but not much less than before
         const double ratio = x.residual.norm / now.norm;
-        const double safe  = 0.9 * forcing * forcing;
-        forcing            = 0.9 * ratio * ratio;
-        if (safe > 0.1)
-          forcing = std::max(forcing, safe);
-        forcing =
-          std::min(largest_forcing, std::max(smallest_forcing, forcing));
+        forcing            = std::min(largest_forcing,
+                           std::max(smallest_forcing, 0.9 * ratio * ratio));
       }
     flow_solver.solve_to(0.);
     fields = x.fields;
@@ -247,6 +245,8 @@ namespace Catena
                                         Iterate               &x,
                                         NonlinearSolverReport &report)
   {
+    // the viscosity has changed much
+    flow_solver.renew_preconditioner();
     linearise(problem, x, Linearisation::picard);
     x.fields = solve_linear(problem, x, picard_forcing, report);
     linearise(problem, x, Linearisation::newton);

@@ -74,7 +74,8 @@ namespace Catena
    * for the disturbance of the imposed shear flow, by FGMRES with
    * FlowPreconditioner. The matrices' sparsity is kept as long as the mesh is.
    * The preconditioner is kept until the iterations lost since it was made,
-   * against its best solve, would have paid for a new one.
+   * against its best solve by decades of the residual, would have paid for a
+   * new one.
    */
   template <int dim>
   class FlowSolver
@@ -123,6 +124,13 @@ namespace Catena
       wanted_residual = residual;
     }
 
+    /// Make a new preconditioner in the next assembly.
+    void
+    renew_preconditioner()
+    {
+      preconditioner_is_due = true;
+    }
+
     /**
      * The residual of the assembled equations at @p fields, which satisfy the
      * constraints. With a stress linearised about @p fields it is that of the
@@ -164,9 +172,10 @@ namespace Catena
     std::vector<NodeCoupling<dim>>     couplings;
     std::unique_ptr<FlowMatrices<dim>> matrices;
     FlowPreconditioner<dim>            preconditioner;
-    bool         preconditioner_is_due = true, preconditioner_is_fresh = false;
-    unsigned int best_iterations = 0, iterations_lost = 0;
-    double       wanted_residual = 0.;
+    bool preconditioner_is_due = true, preconditioner_is_fresh = false;
+    /// iterations for a decade of the residual; their excess over the best
+    double best_rate = 0., iterations_lost = 0.;
+    double wanted_residual = 0., decades = 0.;
 
     void
     set_configuration(const Configuration<dim> &configuration);
