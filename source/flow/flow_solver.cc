@@ -5,6 +5,7 @@
 #include <deal.II/lac/solver_gmres.h>
 
 #include <cmath>
+#include <limits>
 
 namespace Catena
 {
@@ -128,13 +129,35 @@ namespace Catena
                             const StressModel<dim>   &stress,
                             const Function<dim>      *body_force)
   {
-    configuration = new_configuration;
-    velocity_lines =
-      velocity_constraints<dim>(*mesh, *bodies, configuration, held);
-    couplings   = node_couplings<dim>(*mesh, velocity_lines);
+    set_configuration(new_configuration);
     last_stress = &stress;
     last_force  = body_force;
     assemble_matrices();
+  }
+
+
+
+  template <int dim>
+  void
+  FlowSolver<dim>::set_configuration(
+    const Configuration<dim> &new_configuration)
+  {
+    configuration = new_configuration;
+    velocity_lines =
+      velocity_constraints<dim>(*mesh, *bodies, configuration, held);
+    couplings = node_couplings<dim>(*mesh, velocity_lines);
+  }
+
+
+
+  template <int dim>
+  void
+  FlowSolver<dim>::impose_constraints(
+    const Configuration<dim> &new_configuration,
+    FlowFields<dim>          &fields)
+  {
+    set_configuration(new_configuration);
+    extract_velocity(first_guess(fields, 0), fields);
   }
 
 
@@ -145,7 +168,8 @@ namespace Catena
   {
     matrices->assemble(couplings,
                        *last_stress,
-                       mesh->scene().imposed_gradient(),
+                       configuration.shear_rate *
+                         mesh->scene().imposed_gradient(),
                        preconditioner_is_due,
                        last_force);
     preconditioner_is_fresh = preconditioner_is_due;
@@ -250,7 +274,8 @@ namespace Catena
         Point<dim> x;
         for (unsigned int d = 0; d < dim; ++d)
           x[d] = mesh->positions()(dim * node + d);
-        const Tensor<1, dim> imposed = mesh->scene().imposed_velocity(x);
+        const Tensor<1, dim> imposed =
+          configuration.shear_rate * mesh->scene().imposed_velocity(x);
         for (unsigned int d = 0; d < dim; ++d)
           if (couplings[node].master == node &&
               couplings[node].factors[d] != 0.)
@@ -278,6 +303,42 @@ namespace Catena
 
 
   template <int dim>
+  FlowResidual
+  FlowSolver<dim>::residual(const FlowFields<dim>           &fields,
+                            const std::vector<Contact<dim>> &contacts,
+                            const std::vector<double> &external_forces) const
+  {
+    const ContactBlocks   blocks   = contact_blocks(contacts);
+    const BlockVectorType rhs      = right_hand_side(blocks, external_forces);
+    const BlockVectorType solution = first_guess(fields, contacts.size());
+    BlockVectorType       left     = make_vector(contacts.size());
+    FlowOperator<dim>{*matrices, blocks}.vmult(left, solution);
+    left -= rhs;
+    if (contacts.size() > 0)
+      for (const auto c : left.block(3).locally_owned_elements())
+        if (solution.block(3)(c) == 0.)
+          left.block(3)(c) = 0.;
+
+    FlowResidual result;
+    result.norm            = left.l2_norm();
+    result.right_hand_side = rhs.l2_norm();
+    result.rounding        = 1e-15 * matrices->velocity.frobenius_norm();
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  FlowSolver<dim>::target(const BlockVectorType &rhs) const
+  {
+    return wanted_residual > 0. ? wanted_residual :
+                                  parameters.tolerance * rhs.l2_norm();
+  }
+
+
+
+  template <int dim>
   unsigned int
   FlowSolver<dim>::iterate(BlockVectorType       &solution,
                            const BlockVectorType &rhs,
@@ -285,11 +346,11 @@ namespace Catena
   {
     preconditioner.set_contacts(contacts);
     const FlowOperator<dim> system{*matrices, contacts};
-    SolverControl           control(parameters.max_iterations,
-                          parameters.tolerance * rhs.l2_norm());
+    SolverControl           control(parameters.max_iterations, target(rhs));
     typename SolverFGMRES<BlockVectorType>::AdditionalData data(100);
     SolverFGMRES<BlockVectorType>(control, data)
       .solve(system, solution, rhs, preconditioner);
+    decades = std::log10(control.initial_value() / control.last_value());
     return control.last_step();
   }
 
@@ -315,8 +376,7 @@ namespace Catena
         const auto report = [&](const SolverControl::NoConvergence &e) {
           std::ostringstream text;
           text << "The flow solver reached a residual of " << e.last_residual
-               << " in " << e.last_step << " iterations, "
-               << parameters.tolerance * rhs.l2_norm()
+               << " in " << e.last_step << " iterations, " << target(rhs)
                << " was asked for: raise 'Flow solver/Maximal iterations' or "
                   "use a smaller time step.";
           return SolverError(text.str());
@@ -338,12 +398,17 @@ namespace Catena
     if (!std::isfinite(solution.l2_norm()))
       throw SolverError("The flow solver gave values that are not finite.");
 
-    best_iterations       = preconditioner_is_fresh ?
-                              iterations :
-                              std::min(best_iterations, iterations);
-    iterations_lost       = preconditioner_is_fresh ?
-                              0 :
-                              iterations_lost + iterations - best_iterations;
+    if (preconditioner_is_fresh)
+      {
+        best_rate       = std::numeric_limits<double>::max();
+        iterations_lost = 0.;
+      }
+    // a shorter solve says too little, a longer one had nothing to do
+    if (decades > 0.5 && decades < 20.)
+      {
+        best_rate = std::min(best_rate, iterations / decades);
+        iterations_lost += iterations - best_rate * decades;
+      }
     preconditioner_is_due = iterations_lost > set_up_cost;
     extract(solution, fields);
     return iterations;
@@ -353,8 +418,8 @@ namespace Catena
 
   template <int dim>
   void
-  FlowSolver<dim>::extract(const BlockVectorType &solution,
-                           FlowFields<dim>       &fields) const
+  FlowSolver<dim>::extract_velocity(const BlockVectorType &solution,
+                                    FlowFields<dim>       &fields) const
   {
     std::vector<double> motions;
     if (bodies->n_unknowns() > 0)
@@ -369,8 +434,9 @@ namespace Catena
         Point<dim> x;
         for (unsigned int d = 0; d < dim; ++d)
           x[d] = mesh->positions()(dim * node + d);
-        const Tensor<1, dim> imposed  = mesh->scene().imposed_velocity(x);
-        const auto          &coupling = couplings[node];
+        const Tensor<1, dim> imposed =
+          configuration.shear_rate * mesh->scene().imposed_velocity(x);
+        const auto &coupling = couplings[node];
         for (unsigned int d = 0; d < dim; ++d)
           {
             double value = imposed[d] + coupling.known[d];
@@ -383,6 +449,25 @@ namespace Catena
           }
       }
     fields.velocity.update_ghost_values();
+
+    const auto references =
+      reference_motions<dim>(mesh->scene(), configuration, held);
+    fields.motions = bodies->motions(motions);
+    for (unsigned int i = 0; i < fields.motions.size(); ++i)
+      {
+        fields.motions[i].velocity += references[i].velocity;
+        fields.motions[i].angular_velocity += references[i].angular_velocity;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  FlowSolver<dim>::extract(const BlockVectorType &solution,
+                           FlowFields<dim>       &fields) const
+  {
+    extract_velocity(solution, fields);
 
     VectorType masters = mesh->scalar_field();
     masters.copy_locally_owned_data_from(solution.block(1));
@@ -398,14 +483,6 @@ namespace Catena
       fields.pressure(vertex) -= mean;
     fields.pressure.update_ghost_values();
 
-    const auto references =
-      reference_motions<dim>(mesh->scene(), configuration, held);
-    fields.motions = bodies->motions(motions);
-    for (unsigned int i = 0; i < fields.motions.size(); ++i)
-      {
-        fields.motions[i].velocity += references[i].velocity;
-        fields.motions[i].angular_velocity += references[i].angular_velocity;
-      }
     fields.contact_forces.clear();
     if (solution.n_blocks() > 3)
       fields.contact_forces = replicate(solution.block(3));

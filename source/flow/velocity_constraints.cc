@@ -15,8 +15,10 @@ namespace Catena
       {
         if (!held_in_place)
           motions[i].velocity =
+            configuration.shear_rate *
             scene.imposed_velocity(configuration.centres[i]);
-        const Tensor<2, dim> L         = scene.imposed_gradient();
+        const Tensor<2, dim> L =
+          configuration.shear_rate * scene.imposed_gradient();
         motions[i].angular_velocity[2] = (L[1][0] - L[0][1]) / 2.;
       }
     return motions;
@@ -55,7 +57,7 @@ namespace Catena
             const Tensor<1, dim> arm = mesh.arm(node, x, configuration.centres);
             const Tensor<1, dim> known =
               image.turn(references[particle].at(arm)) -
-              scene.imposed_velocity(x);
+              configuration.shear_rate * scene.imposed_velocity(x);
             for (unsigned int d = 0; d < dim; ++d)
               {
                 constraints.add_line(dim * node + d);

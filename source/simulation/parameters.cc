@@ -12,13 +12,16 @@ namespace Catena
     prm.declare_entry(
       "Model",
       "giesekus",
-      Patterns::Selection("newtonian|giesekus"),
-      "newtonian, or giesekus (Oldroyd-B with a mobility of 0).");
+      Patterns::Selection("newtonian|giesekus|carreau"),
+      "newtonian, giesekus (Oldroyd-B with a mobility of 0), or carreau "
+      "(a viscosity that depends on the rate, no elasticity).");
     prm.add_action("Model", [this](const std::string &name) {
-      fluid =
-        name == "newtonian" ? FluidModel::newtonian : FluidModel::giesekus;
+      fluid = name == "newtonian" ? FluidModel::newtonian :
+              name == "giesekus"  ? FluidModel::giesekus :
+                                    FluidModel::carreau;
     });
     giesekus.declare(prm);
+    carreau.declare(prm);
     prm.leave_subsection();
   }
 
@@ -67,12 +70,18 @@ namespace Catena
                       "Strain gamma t at which the run ends, counted from the "
                       "release of the particles.",
                       Patterns::Double());
+    prm.add_parameter("Reversal strains",
+                      reversal_strains,
+                      "Strains at which the walls change their direction, in "
+                      "growing order and separated by commas; none by "
+                      "default. Strain goes on to be counted as gamma t.");
     prm.leave_subsection();
 
     declare_mesh(prm);
 
     prm.enter_subsection("Flow solver");
     flow_solver.declare(prm);
+    nonlinear_solver.declare(prm);
     prm.leave_subsection();
 
     prm.enter_subsection("Conformation solver");
@@ -95,6 +104,8 @@ namespace Catena
   {
     if (viscoelastic())
       giesekus.check();
+    if (fluid == FluidModel::carreau)
+      carreau.check();
     require(minimal_gap > 0. && minimal_gap < 1.,
             "Particles/Minimal gap",
             minimal_gap,
@@ -107,6 +118,11 @@ namespace Catena
             "Time/Final strain",
             final_strain,
             "choose a strain that is not negative");
+    for (unsigned int i = 0; i < reversal_strains.size(); ++i)
+      require(reversal_strains[i] > (i > 0 ? reversal_strains[i - 1] : 0.),
+              "Time/Reversal strains",
+              reversal_strains[i],
+              "choose positive strains in growing order");
     mesh.check();
     require(remesh_quality > 0. && remesh_quality < 1.,
             "Mesh/Remesh quality",
@@ -117,6 +133,7 @@ namespace Catena
             remesh_gap,
             "choose a fraction between 0 and 1");
     flow_solver.check();
+    nonlinear_solver.check();
     conformation_solver.check();
     for (const double strain : field_strains)
       require(strain <= final_strain,

@@ -25,6 +25,9 @@ namespace Catena
       result.update_ghost_values();
       return result;
     }
+
+    /// Strains that differ by rounding only
+    constexpr double same_strain = 1e-9;
   } // namespace
 
 
@@ -47,6 +50,11 @@ namespace Catena
     if (parameters.viscoelastic())
       conformation_solver = std::make_unique<ConformationSolver<dim>>(
         Giesekus<dim>(parameters.giesekus), parameters.conformation_solver);
+    if (parameters.fluid == FluidModel::carreau)
+      nonlinear_solver =
+        std::make_unique<NonlinearFlowSolver<dim>>(flow_solver,
+                                                   Carreau(parameters.carreau),
+                                                   parameters.nonlinear_solver);
   }
 
 
@@ -90,8 +98,10 @@ namespace Catena
         Point<dim> x;
         for (unsigned int d = 0; d < dim; ++d)
           x[d] = now.positions(dim * node + d);
+        const Tensor<1, dim> imposed =
+          now.configuration.shear_rate * scene.imposed_velocity(x);
         for (unsigned int d = 0; d < dim; ++d)
-          now.flow.velocity(dim * node + d) = scene.imposed_velocity(x)[d];
+          now.flow.velocity(dim * node + d) = imposed[d];
       }
     now.flow.velocity.update_ghost_values();
     now.flow.pressure = mesh().scalar_field();
@@ -128,7 +138,10 @@ namespace Catena
   double
   Simulation<dim>::next_dt() const
   {
-    const double end  = held ? 0. : parameters.final_strain;
+    double end = held ? 0. : parameters.final_strain;
+    for (const double reversal : parameters.reversal_strains)
+      if (reversal > state.now.time + same_strain)
+        end = std::min(end, reversal);
     const double left = end - state.now.time;
     if (held)
       return left / std::ceil(left / parameters.time_step - 1e-6);
@@ -144,6 +157,8 @@ namespace Catena
     const auto   step_timer = run_report.step();
     const double begin      = wall_clock();
     StepReport   result;
+    if (state.now.configuration.shear_rate != shear_rate())
+      result.flow_iterations = reverse_shear();
 
     TimeStep step;
     step.dt          = next_dt();
@@ -157,10 +172,11 @@ namespace Catena
 
     const bool          last_held_step = held && next.time > -1e-6 * step.dt;
     std::vector<double> reactions;
-    result.flow_iterations = solve_flow(next,
-                                        step,
-                                        velocity_of_mesh,
-                                        last_held_step ? &reactions : nullptr);
+    next.flow = extrapolated_flow(step);
+    result.flow_iterations += solve_flow(next,
+                                         step,
+                                         velocity_of_mesh,
+                                         last_held_step ? &reactions : nullptr);
     contacts.release(next.flow.contact_forces);
     if (conformation_solver)
       result.conformation_iterations =
@@ -177,6 +193,55 @@ namespace Catena
     result.dt      = step.dt;
     result.seconds = wall_clock() - begin;
     return result;
+  }
+
+
+
+  /**
+   * Rate of the imposed shear from now on.
+   */
+  template <int dim>
+  double
+  Simulation<dim>::shear_rate() const
+  {
+    double rate = 1.;
+    for (const double reversal : parameters.reversal_strains)
+      if (reversal <= state.now.time + same_strain)
+        rate *= -1.;
+    return rate;
+  }
+
+
+
+  /**
+   * The walls turn back: the velocities jump, and those of the past tell
+   * nothing about the next step. The stress of a viscoelastic fluid is the one
+   * predicted with a step of first order.
+   *
+   * @return number of iterations of the flow solver
+   */
+  template <int dim>
+  unsigned int
+  Simulation<dim>::reverse_shear()
+  {
+    Level<dim> &now = state.now;
+    now.configuration.shear_rate *= -1.;
+    now.flow.velocity *= -1.;
+    now.flow.pressure *= -1.;
+    for (RigidMotion<dim> &motion : now.flow.motions)
+      {
+        motion.velocity *= -1.;
+        motion.angular_velocity *= -1.;
+      }
+    now.flow.contact_forces.clear();
+    state.last_dt = 0.;
+
+    TimeStep step;
+    step.dt = parameters.time_step;
+    const unsigned int iterations =
+      solve_flow(now, step, mesh().vector_field(), nullptr);
+    contacts.release(now.flow.contact_forces);
+    return iterations;
   }
 
 
@@ -269,34 +334,54 @@ namespace Catena
 
 
   template <int dim>
+  FlowFields<dim>
+  Simulation<dim>::extrapolated_flow(const TimeStep &step) const
+  {
+    const TwoLevelWeights  weights = step.extrapolation();
+    const FlowFields<dim> &now = state.now.flow, &before = state.before.flow;
+
+    FlowFields<dim> result = now;
+    result.velocity        = combine(weights, now.velocity, before.velocity);
+    result.pressure        = combine(weights, now.pressure, before.pressure);
+    if (weights.b1 != 0.)
+      for (unsigned int i = 0; i < result.motions.size(); ++i)
+        {
+          RigidMotion<dim>       &motion = result.motions[i];
+          const RigidMotion<dim> &old    = before.motions[i];
+          motion.velocity =
+            weights.b0 * motion.velocity + weights.b1 * old.velocity;
+          motion.angular_velocity = weights.b0 * motion.angular_velocity +
+                                    weights.b1 * old.angular_velocity;
+        }
+    return result;
+  }
+
+
+
+  /**
+   * With the flow of @p next as first guess.
+   */
+  template <int dim>
   unsigned int
   Simulation<dim>::solve_flow(Level<dim>          &next,
                               const TimeStep      &step,
                               const VectorType    &mesh_velocity,
                               std::vector<double> *reactions)
   {
-    const bool            first   = step.dt == 0.;
-    const TwoLevelWeights weights = step.extrapolation();
-    const Level<dim>     &now = state.now, &before = state.before;
-    if (!first)
+    if (nonlinear_solver)
       {
-        next.flow = now.flow;
-        next.flow.velocity =
-          combine(weights, now.flow.velocity, before.flow.velocity);
-        next.flow.pressure =
-          combine(weights, now.flow.pressure, before.flow.pressure);
-        if (weights.b1 != 0.)
-          for (unsigned int i = 0; i < next.flow.motions.size(); ++i)
-            {
-              RigidMotion<dim>       &motion = next.flow.motions[i];
-              const RigidMotion<dim> &old    = before.flow.motions[i];
-              motion.velocity =
-                weights.b0 * motion.velocity + weights.b1 * old.velocity;
-              motion.angular_velocity = weights.b0 * motion.angular_velocity +
-                                        weights.b1 * old.angular_velocity;
-            }
+        const auto timer = run_report.time("flow: solve");
+        const auto report =
+          nonlinear_solver->solve(next.configuration,
+                                  next.flow,
+                                  contacts.held(next.configuration),
+                                  external_forces(next.time));
+        run_report.count("nonlinear steps of the flow",
+                         report.picard_steps + report.newton_steps);
+        return report.linear_iterations;
       }
 
+    const Level<dim>                 &now = state.now, &before = state.before;
     VectorType                        convection;
     std::unique_ptr<StressModel<dim>> stress;
     if (parameters.viscoelastic())

@@ -84,6 +84,9 @@ namespace Catena
             }
         }
 
+      if (coefficients.tangent_factor != 0.)
+        add_tangent(point, coefficients);
+
       const dealii::SymmetricTensor<2, dim> imposed_stress =
         coefficients.stress(imposed_gradient);
       for (unsigned int a = 0; a < n_nodes; ++a)
@@ -102,6 +105,23 @@ namespace Catena
             mass[v][w] +=
               point.JxW * fluidity * point.linear[v] * point.linear[w];
         }
+    }
+
+    /// int k (B:D(u)) (B:D(v)) at one point.
+    void
+    add_tangent(const typename CellValues<dim>::PointValues &point,
+                const StressCoefficients<dim>               &coefficients)
+    {
+      const double weight = point.JxW * coefficients.tangent_factor;
+      std::array<dealii::Tensor<1, dim>, n_nodes> traction;
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        traction[a] = coefficients.tangent * point.quadratic_gradient[a];
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        for (unsigned int b = 0; b < n_nodes; ++b)
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int j = 0; j < dim; ++j)
+              velocity[a][b][dim * i + j] +=
+                weight * traction[a][i] * traction[b][j];
     }
 
     void

@@ -51,6 +51,21 @@ namespace Catena
 
 
   /**
+   * What is left of the balance of momentum, mass and particles, as the norm of
+   * the vector of all equations.
+   */
+  struct FlowResidual
+  {
+    double norm = 0.;
+    /// of the disturbance problem's right-hand side
+    double right_hand_side = 0.;
+    /// what rounding leaves
+    double rounding = 0.;
+  };
+
+
+
+  /**
    * Solves the balance of momentum and mass of the fluid together with that
    * of the particles,
    *
@@ -59,7 +74,8 @@ namespace Catena
    * for the disturbance of the imposed shear flow, by FGMRES with
    * FlowPreconditioner. The matrices' sparsity is kept as long as the mesh is.
    * The preconditioner is kept until the iterations lost since it was made,
-   * against its best solve, would have paid for a new one.
+   * against its best solve by decades of the residual, would have paid for a
+   * new one.
    */
   template <int dim>
   class FlowSolver
@@ -98,6 +114,41 @@ namespace Catena
           const std::vector<Contact<dim>> &contacts,
           const std::vector<double>       &external_forces);
 
+    /**
+     * Residual to which the coming solves go, in place of the tolerance of the
+     * parameters; 0: that tolerance again.
+     */
+    void
+    solve_to(const double residual)
+    {
+      wanted_residual = residual;
+    }
+
+    /// Make a new preconditioner in the next assembly.
+    void
+    renew_preconditioner()
+    {
+      preconditioner_is_due = true;
+    }
+
+    /**
+     * The residual of the assembled equations at @p fields, which satisfy the
+     * constraints. With a stress linearised about @p fields it is that of the
+     * nonlinear equations. A contact takes part when it carries a force.
+     */
+    FlowResidual
+    residual(const FlowFields<dim>           &fields,
+             const std::vector<Contact<dim>> &contacts,
+             const std::vector<double>       &external_forces) const;
+
+    /**
+     * Give the velocity its values on walls, symmetry planes and, by their
+     * motions, particles.
+     */
+    void
+    impose_constraints(const Configuration<dim> &configuration,
+                       FlowFields<dim>          &fields);
+
     /// Number of velocity, pressure, rigid-body unknowns together.
     dealii::types::global_dof_index
     n_unknowns() const;
@@ -121,8 +172,13 @@ namespace Catena
     std::vector<NodeCoupling<dim>>     couplings;
     std::unique_ptr<FlowMatrices<dim>> matrices;
     FlowPreconditioner<dim>            preconditioner;
-    bool         preconditioner_is_due = true, preconditioner_is_fresh = false;
-    unsigned int best_iterations = 0, iterations_lost = 0;
+    bool preconditioner_is_due = true, preconditioner_is_fresh = false;
+    /// iterations for a decade of the residual; their excess over the best
+    double best_rate = 0., iterations_lost = 0.;
+    double wanted_residual = 0., decades = 0.;
+
+    void
+    set_configuration(const Configuration<dim> &configuration);
 
     void
     assemble_matrices();
@@ -141,6 +197,9 @@ namespace Catena
     first_guess(const FlowFields<dim> &fields,
                 const unsigned int     n_contacts) const;
 
+    double
+    target(const BlockVectorType &rhs) const;
+
     unsigned int
     iterate(BlockVectorType       &solution,
             const BlockVectorType &rhs,
@@ -148,6 +207,10 @@ namespace Catena
 
     void
     extract(const BlockVectorType &solution, FlowFields<dim> &fields) const;
+
+    void
+    extract_velocity(const BlockVectorType &solution,
+                     FlowFields<dim>       &fields) const;
   };
 } // namespace Catena
 

@@ -14,24 +14,33 @@ namespace Catena
    * The extra stress at a point as an affine function of the velocity
    * gradient L that is being solved for,
    *
-   *   sigma + p I = L H + H L^T + T,
+   *   sigma + p I = L H + H L^T + k (B:D) B + T,   D = (L + L^T)/2,
    *
-   * with a tensor viscosity H and a known stress T, in units of eta0 and
-   * eta0 gamma. A Newtonian fluid has H = I, T = 0; the implicit stress of a
-   * viscoelastic one adds the conformation to H.
+   * with a tensor viscosity H, a known stress T and, for a viscosity
+   * linearised in the rate of strain, a symmetric tensor B and a factor k; in
+   * units of eta0 and eta0 gamma. A Newtonian fluid has H = I, T = 0; the
+   * implicit stress of a viscoelastic one adds the conformation to H.
    */
   template <int dim>
   struct StressCoefficients
   {
     dealii::SymmetricTensor<2, dim> viscosity;
     dealii::SymmetricTensor<2, dim> known_stress;
+    dealii::SymmetricTensor<2, dim> tangent;
+    double                          tangent_factor = 0.;
 
     dealii::SymmetricTensor<2, dim>
     stress(const dealii::Tensor<2, dim> &velocity_gradient) const
     {
       const dealii::Tensor<2, dim> product =
         velocity_gradient * dealii::Tensor<2, dim>(viscosity);
-      return 2. * dealii::symmetrize(product) + known_stress;
+      dealii::SymmetricTensor<2, dim> result =
+        2. * dealii::symmetrize(product) + known_stress;
+      if (tangent_factor != 0.)
+        result +=
+          (tangent_factor * (tangent * dealii::symmetrize(velocity_gradient))) *
+          tangent;
+      return result;
     }
   };
 

@@ -9,8 +9,8 @@
 namespace Catena
 {
   /**
-   * Where the meshed particles are at one instant, and how far the frame of
-   * the mesh on their surfaces has turned about z.
+   * Where the meshed particles are at one instant, how far the frame of the
+   * mesh on their surfaces has turned about z, and what shears the fluid.
    */
   template <int dim>
   struct Configuration
@@ -18,6 +18,9 @@ namespace Catena
     std::vector<dealii::Point<dim>> centres;
     /// angle of the frame [rad]
     double frame_angle = 0.;
+    /// rate of the imposed shear [gamma]: -1 when it is reversed, 0 for walls
+    /// at rest
+    double shear_rate = 1.;
   };
 
 

@@ -214,12 +214,12 @@ namespace Catena
     line_angle(const std::vector<dealii::Point<dim>> &centres) const;
 
     /**
-     * Imposed shear flow u = (-y, 0, 0), in units of gamma a.
+     * Imposed shear flow u = (-y, 0, 0) of rate 1, in units of gamma a.
      */
     static dealii::Tensor<1, dim>
     imposed_velocity(const dealii::Point<dim> &p);
 
-    /// Gradient L of the imposed flow, L_ij = du_i/dx_j.
+    /// Gradient L of the imposed flow of rate 1, L_ij = du_i/dx_j.
     static dealii::Tensor<2, dim>
     imposed_gradient();
 

@@ -3,7 +3,9 @@
 
 #include <catena/conformation/conformation_solver.h>
 #include <catena/flow/flow_solver.h>
+#include <catena/flow/nonlinear_flow_solver.h>
 #include <catena/mesh/mesher.h>
+#include <catena/rheology/carreau.h>
 #include <catena/rheology/giesekus.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -19,7 +21,8 @@ namespace Catena
   enum class FluidModel
   {
     newtonian,
-    giesekus
+    giesekus,
+    carreau
   };
 
   /**
@@ -30,12 +33,15 @@ namespace Catena
   {
     FluidModel         fluid = FluidModel::giesekus;
     GiesekusParameters giesekus;
+    CarreauParameters  carreau;
 
     /// d_min: the smallest gap between particles, divided by the diameter
     double minimal_gap = 0.02;
 
     double time_step    = 0.08;
     double final_strain = 50.;
+    /// strains at which the walls change their direction
+    std::vector<double> reversal_strains;
 
     MeshParameters mesh;
     /// remesh below this fraction of the quality of a new mesh
@@ -44,11 +50,13 @@ namespace Catena
     double remesh_gap = 0.6;
 
     FlowSolverParameters         flow_solver;
+    NonlinearSolverParameters    nonlinear_solver;
     ConformationSolverParameters conformation_solver;
 
     std::string         output_directory = "results";
     std::vector<double> field_strains;
 
+    /// Is there a conformation field?
     bool
     viscoelastic() const
     {

@@ -31,7 +31,7 @@ namespace Catena
    * conformation. A viscoelastic simulation starts from rest with the
    * particles held in place for one relaxation time, t in [-Wi, 0]; the force
    * that holds them is then let go to zero over one unit of strain. A
-   * Newtonian one starts free at t = 0.
+   * Newtonian or Carreau fluid starts free at t = 0.
    *
    * @code
    * Simulation<3> simulation(scene, parameters, MPI_COMM_WORLD);
@@ -132,17 +132,24 @@ namespace Catena
     const MPI_Comm             communicator;
     const Remesher<dim>        remesher;
 
-    RigidBodies<dim>                         bodies;
-    Contacts<dim>                            contacts;
-    FlowSolver<dim>                          flow_solver;
-    std::unique_ptr<ConformationSolver<dim>> conformation_solver;
-    State<dim>                               state;
-    RunReport                                run_report;
-    bool                                     held             = false;
-    bool                                     remesh_requested = false;
+    RigidBodies<dim>                          bodies;
+    Contacts<dim>                             contacts;
+    FlowSolver<dim>                           flow_solver;
+    std::unique_ptr<NonlinearFlowSolver<dim>> nonlinear_solver;
+    std::unique_ptr<ConformationSolver<dim>>  conformation_solver;
+    State<dim>                                state;
+    RunReport                                 run_report;
+    bool                                      held             = false;
+    bool                                      remesh_requested = false;
 
     double
     next_dt() const;
+
+    double
+    shear_rate() const;
+
+    unsigned int
+    reverse_shear();
 
     Configuration<dim>
     moved_particles(const TimeStep &step);
@@ -152,6 +159,9 @@ namespace Catena
 
     VectorType
     mesh_velocity(const Level<dim> &next, const TimeStep &step) const;
+
+    FlowFields<dim>
+    extrapolated_flow(const TimeStep &step) const;
 
     unsigned int
     solve_flow(Level<dim>          &next,
