@@ -60,11 +60,22 @@ namespace Catena
 
 
   template <int dim>
+  bool
+  Simulation<dim>::starts_held() const
+  {
+    bool any_moves = false;
+    for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)
+      any_moves |= !bodies.unknown(k).rotation;
+    return parameters.viscoelastic() && any_moves;
+  }
+
+
+
+  template <int dim>
   double
   Simulation<dim>::initial_strain() const
   {
-    return parameters.viscoelastic() ? -parameters.giesekus.weissenberg_number :
-                                       0.;
+    return starts_held() ? -parameters.giesekus.weissenberg_number : 0.;
   }
 
 
@@ -73,7 +84,7 @@ namespace Catena
   void
   Simulation<dim>::initialize()
   {
-    held = parameters.viscoelastic();
+    held = starts_held();
     bodies.hold_in_place(held);
     state.holding_forces.assign(bodies.n_unknowns(), 0.);
 

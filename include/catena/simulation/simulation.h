@@ -31,7 +31,8 @@ namespace Catena
    * conformation. A viscoelastic simulation starts from rest with the
    * particles held in place for one relaxation time, t in [-Wi, 0]; the force
    * that holds them is then let go to zero over one unit of strain. A
-   * Newtonian or Carreau fluid starts free at t = 0.
+   * Newtonian or Carreau fluid, or a scene whose particles only turn, starts
+   * free at t = 0.
    *
    * @code
    * Simulation<3> simulation(scene, parameters, MPI_COMM_WORLD);
@@ -141,6 +142,10 @@ namespace Catena
     RunReport                                 run_report;
     bool                                      held             = false;
     bool                                      remesh_requested = false;
+
+    /// Is there a particle to be held while a viscoelastic stress builds up?
+    bool
+    starts_held() const;
 
     double
     next_dt() const;
