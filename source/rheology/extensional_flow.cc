@@ -26,9 +26,8 @@ namespace Catena
      *
      * With d = (1 - k)^2 + 4 alpha k, which is (1 + k)^2 - 4 (1 - alpha) k as
      * well, it is c - 1 = 2 k/((1 - k) + sqrt(d)) and
-     * c = 2 (1 - alpha)/((1 - k - 2 alpha) + sqrt(d)). For k of either sign
-     * one of the forms of d is a sum of positive numbers; sums of two signs in
-     * the denominators are multiplied out.
+     * c = 2 (1 - alpha)/((1 - k - 2 alpha) + sqrt(d)). Chosen are the forms in
+     * which no positive numbers are subtracted.
      */
     std::optional<Stretch>
     stretch(const double k, const double alpha)
@@ -44,10 +43,17 @@ namespace Catena
       result.quotient =
         k < 1. ? 2. / ((1. - k) + root) : ((k - 1.) + root) / (2. * alpha * k);
 
+      if (k > 0.)
+        {
+          result.conformation = 1. + k * result.quotient;
+          return result;
+        }
       const double b = (1. - alpha) - (k + alpha);
-      result.conformation =
-        b >= 0. ? (b + root > 0. ? 2. * (1. - alpha) / (b + root) : 0.) :
-                  (root - b) / (2. * alpha);
+      if (b < 0.)
+        result.conformation = (root - b) / (2. * alpha);
+      else // with alpha = 1 and k = -1 the root is 0
+        result.conformation =
+          (b + root > 0. ? 2. * (1. - alpha) / (b + root) : 0.);
       return result;
     }
   } // namespace
