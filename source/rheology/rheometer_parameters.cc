@@ -108,7 +108,7 @@ namespace Catena
     prm.add_parameter("Curves",
                       curves,
                       "The tables to write, separated by commas.",
-                      Patterns::List(Patterns::Selection(curve_names)));
+                      Patterns::List(Patterns::Selection(curve_names), 1, 4));
     prm.leave_subsection();
   }
 

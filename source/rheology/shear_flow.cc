@@ -31,7 +31,7 @@ namespace Catena
     state.shear_stress = Wi * remainder * remainder / denominator;
     state.first_normal_stress_difference =
       2. * k * (remainder + (1. - alpha) * f) / Lambda;
-    state.second_normal_stress_difference = -f;
+    state.second_normal_stress_difference = 0. - f; // 0, not -0
 
     const double modulus = (1. - beta) / Wi;
     state.viscosity      = beta + modulus * state.shear_stress;
