@@ -19,25 +19,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-STYLE = {
-    "font.family": "serif",
-    "font.serif": ["STIXGeneral"],
-    "font.size": 9,
-    "mathtext.fontset": "stix",
-    "axes.linewidth": 0.6,
-    "axes.prop_cycle": plt.cycler(
-        color=["#00558c", "#c8502d", "#3c7d4b", "#7a5aa0", "#8c6d1f", "#555555"]),
-    "lines.linewidth": 1.1,
-    "xtick.direction": "in",
-    "ytick.direction": "in",
-    "xtick.top": True,
-    "ytick.right": True,
-    "legend.frameon": False,
-    "legend.fontsize": 8,
-    "svg.fonttype": "none",
-    "svg.hashsalt": "catena",
-    "savefig.dpi": 200,
-}
+from style import STYLE, number, save
 
 # what to draw: pattern of the columns, label of the axis, label of a curve
 PANELS = (
@@ -46,13 +28,6 @@ PANELS = (
     (r"(minimal_)?gap(_over_2a)?(_?\d+)*", r"gap$/2a$", r"gap {}"),
     (r"F_?r(_?\d+)*", r"$F_r/F_S$", r"$F_{{r,{}}}$"),
 )
-
-
-def number(text):
-    try:
-        return float(text)
-    except (TypeError, ValueError):
-        return math.nan
 
 
 def read(path):
@@ -137,10 +112,7 @@ def main():
 
     with plt.rc_context(STYLE):
         figure = draw(tables)
-        for suffix, metadata in ((".svg", {"Date": None}), (".png", None)):
-            file = output.with_name(output.name + suffix)
-            figure.savefig(file, metadata=metadata)
-            print(file)
+        save(figure, output)
 
 
 main()

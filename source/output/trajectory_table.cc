@@ -10,9 +10,11 @@ namespace Catena
   using namespace dealii;
 
   TrajectoryTable::TrajectoryTable(const std::string &path,
-                                   const MPI_Comm     communicator)
+                                   const MPI_Comm     communicator,
+                                   const unsigned int n_digits)
     : path(path)
     , communicator(communicator)
+    , n_digits(n_digits)
   {
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       file.open(path, std::ios::trunc);
@@ -61,7 +63,7 @@ namespace Catena
   TrajectoryTable::write_row()
   {
     std::ostringstream text;
-    text.precision(10);
+    text.precision(n_digits);
 
     if (rows_written == 0)
       for (const Column &column : columns)

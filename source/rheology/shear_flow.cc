@@ -31,7 +31,7 @@ namespace Catena
     state.shear_stress = Wi * remainder * remainder / denominator;
     state.first_normal_stress_difference =
       2. * k * (remainder + (1. - alpha) * f) / Lambda;
-    state.second_normal_stress_difference = -f;
+    state.second_normal_stress_difference = 0. - f; // 0, not -0
 
     const double modulus = (1. - beta) / Wi;
     state.viscosity      = beta + modulus * state.shear_stress;
@@ -112,9 +112,12 @@ namespace Catena
                           "finite: use a smaller velocity gradient.");
     };
 
+    // In weak flow s is of the size of lambda |L|.
     constexpr double tolerance = 1e-12;
+    const double     gradient  = 1e-100 + L.norm();
+    const double     size = std::min(1., model.relaxation_time() * gradient);
     const double     first_step =
-      1e-3 * std::min(model.relaxation_time(), 1. / (1e-100 + L.norm()));
+      1e-3 * std::min(model.relaxation_time(), 1. / gradient);
 
     std::vector<double> stops = {0.};
     stops.insert(stops.end(), times.begin(), times.end());
@@ -122,7 +125,7 @@ namespace Catena
     LogConformation<dim> s{};
     odeint::integrate_times(
       odeint::make_controlled<
-        odeint::runge_kutta_fehlberg78<LogConformation<dim>>>(tolerance,
+        odeint::runge_kutta_fehlberg78<LogConformation<dim>>>(tolerance * size,
                                                               tolerance),
       rate,
       s,

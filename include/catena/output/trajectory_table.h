@@ -20,7 +20,7 @@ namespace Catena
    * @endcode
    * Each row is handed to the operating system as soon as it is complete, so
    * that a run that is killed loses no finished row. Values have ten
-   * significant digits.
+   * significant digits unless told otherwise.
    *
    * Process 0 of the communicator writes; the others may declare columns and
    * add values as well, and take part in opening the file and in write_row().
@@ -29,11 +29,14 @@ namespace Catena
   {
   public:
     /**
-     * Open @p path, replacing what it held. Collective.
+     * Open @p path, replacing what it held, for values with @p n_digits
+     * significant digits. Collective.
      *
      * @throws Error if the file cannot be opened.
      */
-    TrajectoryTable(const std::string &path, const MPI_Comm communicator);
+    TrajectoryTable(const std::string &path,
+                    const MPI_Comm     communicator,
+                    const unsigned int n_digits = 10);
 
     /**
      * Add a column at the right. All columns are declared before the first
@@ -77,6 +80,7 @@ namespace Catena
 
     const std::string                   path;
     const MPI_Comm                      communicator;
+    const unsigned int                  n_digits;
     std::ofstream                       file;
     std::vector<Column>                 columns;
     std::map<std::string, unsigned int> index_of;

@@ -67,7 +67,8 @@ namespace Catena
    *
    * Ds/Dt = Giesekus::log_conformation_rate() is integrated by the embedded
    * Runge-Kutta-Fehlberg method of order 8(7), with an error of 1e-12 a step
-   * in s; over tens of relaxation times c = exp(s) is right to about 1e-11.
+   * in s, or 1e-12 lambda |L| if that is less; over tens of relaxation times
+   * c = exp(s) is right to about 1e-11.
    *
    * @throws InputError if @p times cannot be used.
    * @throws SolverError if the result is not finite.
