@@ -4,6 +4,7 @@
 #include <catena/simulation/rotation_sweep.h>
 #include <catena/simulation/trajectory.h>
 
+#include <algorithm>
 #include <deque>
 #include <iostream>
 #include <sstream>
@@ -38,8 +39,9 @@ namespace Catena
     Progress progress(simulation.strain(),
                       parameters.final_strain,
                       communicator);
-    // strain and angular velocity over the last unit of strain
-    std::deque<std::pair<double, double>> recent;
+    // an overshoot has no slope at its peak: look at a longer time than its own
+    const double window = 1. + 2. * parameters.giesekus.weissenberg_number;
+    std::deque<std::pair<double, double>> recent; // strain, angular velocity
     bool                                  steady = false;
     while (!steady && simulation.strain() < parameters.final_strain - 1e-9)
       {
@@ -47,11 +49,17 @@ namespace Catena
         trajectory.record(step);
         recent.emplace_back(simulation.strain(), angular_velocity());
         while (recent.size() > 1 &&
-               recent[1].first <= simulation.strain() - 1. + 1e-9)
+               recent[1].first <= simulation.strain() - window + 1e-9)
           recent.pop_front();
-        result.change = recent.back().second - recent.front().second;
-        steady = recent.back().first - recent.front().first > 1. - 1e-9 &&
-                 std::abs(result.change) < tolerance;
+        const auto range =
+          std::minmax_element(recent.begin(),
+                              recent.end(),
+                              [](const auto &a, const auto &b) {
+                                return a.second < b.second;
+                              });
+        result.change = range.second->second - range.first->second;
+        steady = simulation.strain() - recent.front().first > window - 1e-9 &&
+                 result.change < tolerance;
         ++result.steps;
         progress.update(
           {simulation.strain(), {}, step.dt, step.flow_iterations});
@@ -76,8 +84,9 @@ namespace Catena
                       "is.");
     prm.add_parameter("Steady tolerance",
                       tolerance,
-                      "A run ends when the angular velocity changes by less "
-                      "than this over one unit of strain [gamma].",
+                      "A run ends when the angular velocity has changed by "
+                      "less than this over the last 1 + 2 Wi of strain "
+                      "[gamma].",
                       Patterns::Double());
     prm.leave_subsection();
   }

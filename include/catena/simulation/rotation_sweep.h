@@ -15,7 +15,8 @@ namespace Catena
   {
     /// omega_z of the first particle [gamma]
     double angular_velocity = 0.;
-    /// its last change over one unit of strain [gamma]
+    /// largest difference of its values over the last 1 + 2 Wi of strain
+    /// [gamma]
     double change = 0.;
     /// strain at which the run ended
     double       strain   = 0.;
@@ -25,9 +26,9 @@ namespace Catena
 
   /**
    * Run @p scene from rest until the angular velocity of its first particle
-   * changes by less than @p tolerance over one unit of strain, or to the final
-   * strain. The particle must not move. Without a conformation the flow is
-   * steady at once.
+   * has changed by less than @p tolerance over the last two relaxation times
+   * and one unit of strain, or to the final strain. The particle must not move.
+   * Without a conformation the flow is steady at once.
    *
    * @param path of a table with a row for each step
    */
@@ -47,7 +48,7 @@ namespace Catena
   {
     /// Wi, or lambda_c gamma of a Carreau fluid; none: as the fluid has it
     std::vector<double> rates;
-    /// steady when omega changes by less over a unit of strain [gamma]
+    /// steady when omega has changed by less over 1 + 2 Wi of strain [gamma]
     double tolerance = 1e-5;
 
     /// In a subsection `Sweep`.
