@@ -115,10 +115,12 @@ namespace Catena
 
     double forcing          = largest_forcing;
     bool   picard_converges = true;
+    scale                   = 0.;
     while (true)
       {
         const FlowResidual now = x.residual;
-        report.residuals.push_back(now.norm / now.right_hand_side);
+        scale                  = std::max(scale, now.right_hand_side);
+        report.residuals.push_back(now.norm / scale);
         if (now.norm <= target(now))
           break;
         if (report.residuals.size() > parameters.max_iterations ||
@@ -133,7 +135,7 @@ namespace Catena
             throw SolverError(text.str());
           }
 
-        const bool far = now.norm > picard_residual * now.right_hand_side;
+        const bool far = now.norm > picard_residual * scale;
         if ((far && picard_converges) ||
             !newton_step(problem, x, forcing, report))
           {
@@ -157,8 +159,7 @@ namespace Catena
   double
   NonlinearFlowSolver<dim>::target(const FlowResidual &residual) const
   {
-    return std::max(parameters.tolerance * residual.right_hand_side,
-                    residual.rounding);
+    return std::max(parameters.tolerance * scale, residual.rounding);
   }
 
 
