@@ -1,7 +1,10 @@
 // Three discs, the outer ones at the smallest gap, in a Carreau fluid with
 // n = 0.3 and lambda_c = 10. With linear problems solved to the end the
 // residuals of Newton's method fall quadratically; those of the solver, which
-// stops its linear problems early, with an order well above 1.
+// stops its linear problems early, with an order well above 1. With too few
+// steps it says so.
+
+#include <catena/base/exceptions.h>
 
 #include "../tests.h"
 
@@ -72,6 +75,31 @@ newton(const Carreau &model, Tests::CarreauProblem<2> &problem)
 
 
 
+/// The sentence with which the solver gives up after two steps from rest.
+std::string
+failure(const Carreau &model, Tests::CarreauProblem<2> &problem)
+{
+  NonlinearSolverParameters parameters;
+  parameters.max_iterations = 2;
+  NonlinearFlowSolver<2> solver(problem.solver, model, parameters);
+  FlowFields<2>          fields = problem.fields;
+  fields.velocity               = 0.;
+  try
+    {
+      solver.solve(problem.configuration,
+                   fields,
+                   {},
+                   std::vector<double>(problem.bodies.n_unknowns(), 0.));
+    }
+  catch (const SolverError &error)
+    {
+      return error.what();
+    }
+  return "";
+}
+
+
+
 int
 main(int argc, char **argv)
 {
@@ -102,5 +130,11 @@ main(int argc, char **argv)
       "they find the same motion",
       (problem.fields.motions[1].velocity - motions[1].velocity).norm(),
       1e-9);
+
+    const std::string sentence = failure(model, problem);
+    Tests::print(sentence);
+    claims.holds("two steps are too few from rest",
+                 sentence.find("Maximal nonlinear iterations") !=
+                   std::string::npos);
   });
 }
