@@ -47,9 +47,10 @@ namespace Catena
     /// right-hand side
     constexpr double picard_residual = 0.05;
 
-    /// reduction of the residual by a linear solve: of a Picard step, and the
-    /// largest and smallest of a Newton step
+    /// reduction of the residual by a linear solve: of a Picard step; of a
+    /// first Newton step, over the relative residual; and the bounds of all
     constexpr double picard_forcing   = 0.1;
+    constexpr double first_forcing    = 0.2;
     constexpr double largest_forcing  = 0.1;
     constexpr double smallest_forcing = 1e-6;
 
@@ -82,6 +83,22 @@ namespace Catena
             (1. - s) * a.contact_forces[c] + s * b.contact_forces[c];
       return result;
     }
+
+
+
+    SolverError
+    failure(const double                 residual,
+            const double                 wanted,
+            const NonlinearSolverReport &report)
+    {
+      std::ostringstream text;
+      text << "The nonlinear flow solver reached a residual of " << residual
+           << " in " << report.picard_steps << " Picard and "
+           << report.newton_steps << " Newton steps, " << wanted
+           << " was asked for: raise 'Flow solver/Maximal nonlinear "
+              "iterations' or use a smaller time step.";
+      return SolverError(text.str());
+    }
   } // namespace
 
 
@@ -113,38 +130,33 @@ namespace Catena
     flow_solver.impose_constraints(configuration, x.fields);
     linearise(problem, x, Linearisation::newton);
 
-    double forcing          = largest_forcing;
     bool   picard_converges = true;
+    double before           = 0.; // residual before the last Newton step
+    scale                   = 0.;
     while (true)
       {
-        const FlowResidual now = x.residual;
-        report.residuals.push_back(now.norm / now.right_hand_side);
-        if (now.norm <= target(now))
+        const double now = x.residual.norm;
+        scale            = std::max(scale, x.residual.right_hand_side);
+        report.residuals.push_back(now / scale);
+        if (now <= target(x.residual))
           break;
         if (report.residuals.size() > parameters.max_iterations ||
-            !std::isfinite(now.norm))
-          {
-            std::ostringstream text;
-            text << "The nonlinear flow solver reached a residual of "
-                 << now.norm << " in " << report.picard_steps << " Picard and "
-                 << report.newton_steps << " Newton steps, " << target(now)
-                 << " was asked for: raise 'Flow solver/Maximal nonlinear "
-                    "iterations' or use a smaller time step.";
-            throw SolverError(text.str());
-          }
+            !std::isfinite(now))
+          throw failure(now, target(x.residual), report);
 
-        const bool far = now.norm > picard_residual * now.right_hand_side;
+        const double forcing = before > 0. ?
+                                 0.9 * (now / before) * (now / before) :
+                                 first_forcing * now / scale;
+        const bool   far     = now > picard_residual * scale;
         if ((far && picard_converges) ||
             !newton_step(problem, x, forcing, report))
           {
             picard_step(problem, x, report);
-            picard_converges = x.residual.norm < now.norm;
-            forcing          = largest_forcing;
-            continue;
+            picard_converges = x.residual.norm < now;
+            before           = 0.;
           }
-        const double ratio = x.residual.norm / now.norm;
-        forcing            = std::min(largest_forcing,
-                           std::max(smallest_forcing, 0.9 * ratio * ratio));
+        else
+          before = now;
       }
     flow_solver.solve_to(0.);
     fields = x.fields;
@@ -157,8 +169,7 @@ namespace Catena
   double
   NonlinearFlowSolver<dim>::target(const FlowResidual &residual) const
   {
-    return std::max(parameters.tolerance * residual.right_hand_side,
-                    residual.rounding);
+    return std::max(parameters.tolerance * scale, residual.rounding);
   }
 
 
@@ -216,7 +227,11 @@ namespace Catena
     FlowFields<dim> end;
     try
       {
-        end = solve_linear(problem, x, forcing, report);
+        end =
+          solve_linear(problem,
+                       x,
+                       std::clamp(forcing, smallest_forcing, largest_forcing),
+                       report);
       }
     catch (const SolverError &)
       {

@@ -38,6 +38,8 @@ namespace Catena
         , tolerance(tolerance)
       {}
 
+      using StokesProblem<dim>::solve;
+
       /**
        * Solve for free particles with the present fields as first guess, and
        * print what the solver did.
@@ -51,12 +53,12 @@ namespace Catena
         parameters.tolerance = tolerance;
         NonlinearFlowSolver<dim> nonlinear(this->solver, model, parameters);
 
-        const auto report = nonlinear.solve(
-          this->configuration,
-          this->fields,
-          contacts,
-          std::vector<double>(this->bodies.n_unknowns(), 0.),
-          body_force);
+        const auto report =
+          nonlinear.solve(this->configuration,
+                          this->fields,
+                          contacts,
+                          std::vector<double>(this->bodies.n_unknowns(), 0.),
+                          body_force);
         print(this->mesh.n_global_cells(),
               " cells, ",
               report.picard_steps,

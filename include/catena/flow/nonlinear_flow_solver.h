@@ -18,7 +18,8 @@ namespace Catena
    */
   struct NonlinearSolverParameters
   {
-    /// residual against the right-hand side of the disturbance problem
+    /// residual against the right-hand side of the disturbance problem, the
+    /// largest of the iterations
     double       tolerance      = 1e-6;
     unsigned int max_iterations = 50;
 
@@ -44,7 +45,7 @@ namespace Catena
     unsigned int picard_steps      = 0;
     unsigned int newton_steps      = 0;
     unsigned int linear_iterations = 0;
-    /// against the right-hand side: at the first guess and after every step
+    /// relative: at the first guess and after every step
     std::vector<double> residuals;
   };
 
@@ -107,6 +108,7 @@ namespace Catena
 
     VectorType                          linearisation_point;
     std::unique_ptr<CarreauStress<dim>> stress;
+    double                              scale = 0.;
 
     double
     target(const FlowResidual &residual) const;
