@@ -174,12 +174,11 @@ namespace Catena
     blocks.given.assign(m, 0.);
     for (unsigned int c = 0; c < m; ++c)
       {
-        const std::vector<double> rate  = contacts[c].rate(*bodies);
-        const std::vector<double> force = contacts[c].force(*bodies);
+        const std::vector<double> rate = contacts[c].rate(*bodies);
         for (unsigned int k = 0; k < n; ++k)
           {
             blocks.rates(c, k)  = rate[k];
-            blocks.forces(k, c) = force[k];
+            blocks.forces(k, c) = contacts[c].meshed_share * rate[k];
             blocks.given[c] -= rate[k] * reference[k];
           }
       }

@@ -39,6 +39,108 @@ namespace Catena
         , q(n)
       {}
 
+      /**
+       * @return a contact that cannot be fulfilled together with others, or
+       * the number of contacts
+       */
+      unsigned int
+      solve()
+      {
+        add_bilateral();
+        const unsigned int max_entries = 100 * (q.size() + rows.size());
+        for (unsigned int entry = 0; entry < max_entries; ++entry)
+          {
+            const unsigned int c = worst();
+            if (c == rows.size() || !enter(c))
+              return c;
+          }
+        throw SolverError("The contact forces did not converge.");
+      }
+
+      /**
+       * The bilateral contact that keeps @p c most from opening, or the number
+       * of contacts if there is none.
+       */
+      unsigned int
+      blocking(const unsigned int c) const
+      {
+        const Split  split  = split_row(c);
+        unsigned int result = rows.size();
+        double       most   = 0.;
+        for (unsigned int p = 0; p < active.size(); ++p)
+          if (bilateral[active[p]] && split.coefficients(p) > most)
+            {
+              most   = split.coefficients(p);
+              result = active[p];
+            }
+        return result;
+      }
+
+      /// Forces of all contacts and q, free of the rounding of the steps.
+      void
+      finish(ContactForces::Solution &solution, Vector<double> &motion) const
+      {
+        solution.forces.assign(rows.size(), 0.);
+        solution.active.assign(rows.size(), false);
+        motion.reinit(q.size());
+        if (active.empty())
+          return;
+        Vector<double> values(active.size());
+        for (unsigned int p = 0; p < active.size(); ++p)
+          values(p) = bounds[active[p]];
+        basis->solve(values, values, true);
+        basis->multiply_with_Q(motion, values);
+        basis->solve(values, values);
+        for (unsigned int p = 0; p < active.size(); ++p)
+          {
+            const unsigned int c = active[p];
+            solution.active[c]   = true;
+            solution.forces[c] =
+              bilateral[c] ? values(p) : std::max(0., values(p));
+          }
+      }
+
+    private:
+      const std::vector<Vector<double>> &rows;
+      const std::vector<double>         &bounds;
+      const std::vector<double>         &sizes; ///< of the terms of the bounds
+      const std::vector<bool>           &bilateral;
+
+      std::vector<unsigned int>           active;
+      std::vector<double>                 forces;
+      std::unique_ptr<QR<Vector<double>>> basis; ///< of the active rows
+      Vector<double>                      q;
+      double force = 0.; ///< of the contact that enters
+
+      /// A row as a combination of active ones and a remainder normal to them.
+      struct Split
+      {
+        Vector<double> coefficients, remainder;
+        bool           is_new;
+      };
+
+      Split
+      split_row(const unsigned int c) const
+      {
+        Split split{Vector<double>(active.size()), rows[c], true};
+        if (!active.empty())
+          {
+            // twice is enough for orthogonality
+            Vector<double> part(active.size()), sum(q.size());
+            for (unsigned int pass = 0; pass < 2; ++pass)
+              {
+                basis->multiply_with_QT(part, split.remainder);
+                basis->multiply_with_Q(sum, part);
+                split.remainder -= sum;
+                split.coefficients += part;
+              }
+            basis->solve(split.coefficients, split.coefficients);
+          }
+        split.is_new =
+          split.remainder.l2_norm() > dependent * rows[c].l2_norm();
+        return split;
+      }
+
       /// Make equations of all bilateral contacts that are independent.
       void
       add_bilateral()
@@ -109,71 +211,6 @@ namespace Catena
               }
             remove(first);
           }
-      }
-
-      /// Forces of all contacts and q, free of the rounding of the steps.
-      void
-      finish(ContactForces::Solution &solution, Vector<double> &motion) const
-      {
-        solution.forces.assign(rows.size(), 0.);
-        solution.active.assign(rows.size(), false);
-        motion.reinit(q.size());
-        if (active.empty())
-          return;
-        Vector<double> values(active.size());
-        for (unsigned int p = 0; p < active.size(); ++p)
-          values(p) = bounds[active[p]];
-        basis->solve(values, values, true);
-        basis->multiply_with_Q(motion, values);
-        basis->solve(values, values);
-        for (unsigned int p = 0; p < active.size(); ++p)
-          {
-            const unsigned int c = active[p];
-            solution.active[c]   = true;
-            solution.forces[c] =
-              bilateral[c] ? values(p) : std::max(0., values(p));
-          }
-      }
-
-    private:
-      const std::vector<Vector<double>> &rows;
-      const std::vector<double>         &bounds;
-      const std::vector<double>         &sizes; ///< of the terms of the bounds
-      const std::vector<bool>           &bilateral;
-
-      std::vector<unsigned int>           active;
-      std::vector<double>                 forces;
-      std::unique_ptr<QR<Vector<double>>> basis; ///< of the active rows
-      Vector<double>                      q;
-      double force = 0.; ///< of the contact that enters
-
-      /// A row as a combination of active ones and a remainder normal to them.
-      struct Split
-      {
-        Vector<double> coefficients, remainder;
-        bool           is_new;
-      };
-
-      Split
-      split_row(const unsigned int c) const
-      {
-        Split split{Vector<double>(active.size()), rows[c], true};
-        if (!active.empty())
-          {
-            // twice is enough for orthogonality
-            Vector<double> part(active.size()), sum(q.size());
-            for (unsigned int pass = 0; pass < 2; ++pass)
-              {
-                basis->multiply_with_QT(part, split.remainder);
-                basis->multiply_with_Q(sum, part);
-                split.remainder -= sum;
-                split.coefficients += part;
-              }
-            basis->solve(split.coefficients, split.coefficients);
-          }
-        split.is_new =
-          split.remainder.l2_norm() > dependent * rows[c].l2_norm();
-        return split;
       }
 
       double
@@ -285,22 +322,28 @@ namespace Catena
           }
       }
 
-    const std::vector<bool> none(m, false);
-    ActiveSet set(rows, bounds, sizes, bilateral.empty() ? none : bilateral, n);
-    set.add_bilateral();
-    const unsigned int max_entries = 100 * (n + m);
-    unsigned int       n_entries   = 0;
-    for (unsigned int c = set.worst(); c < m; c = set.worst())
-      if (++n_entries > max_entries || !set.enter(c))
-        throw SolverError("The particles are jammed: no motion keeps all "
-                          "their gaps open. Give them more room.");
-
-    Vector<double> motion;
-    set.finish(solution, motion);
-    factor.solve(motion, true);
-    for (unsigned int k = 0; k < n; ++k)
-      solution.motion[k] += motion(k);
-    return solution;
+    // without the bilateral contacts that stand in the way of others
+    std::vector<bool> equations =
+      bilateral.empty() ? std::vector<bool>(m, false) : bilateral;
+    while (true)
+      {
+        ActiveSet          set(rows, bounds, sizes, equations, n);
+        const unsigned int stuck = set.solve();
+        if (stuck == m)
+          {
+            Vector<double> motion;
+            set.finish(solution, motion);
+            factor.solve(motion, true);
+            for (unsigned int k = 0; k < n; ++k)
+              solution.motion[k] += motion(k);
+            return solution;
+          }
+        const unsigned int blocking = set.blocking(stuck);
+        if (blocking == m)
+          throw SolverError("The particles are jammed: no motion keeps all "
+                            "their gaps open. Give them more room.");
+        equations[blocking] = false;
+      }
   }
 
 

@@ -189,7 +189,6 @@ namespace Catena
                                         step,
                                         velocity_of_mesh,
                                         last_held_step ? &reactions : nullptr);
-    contacts.release(next.flow.contact_forces);
     if (conformation_solver)
       result.conformation_iterations =
         solve_conformation(next, step, velocity_of_mesh);
@@ -348,11 +347,12 @@ namespace Catena
       const auto timer = run_report.time("flow: assembly");
       flow_solver.assemble(next.configuration, *stress);
     }
-    const auto         timer = run_report.time("flow: solve");
-    const unsigned int iterations =
-      flow_solver.solve(next.flow,
-                        contacts.held(next.configuration),
-                        external_forces(next.time));
+    const auto timer         = run_report.time("flow: solve");
+    const auto candidates    = contacts.candidates(next.configuration);
+    next.flow.contact_forces = contacts.remembered_forces(candidates);
+    const unsigned iterations =
+      flow_solver.solve(next.flow, candidates, external_forces(next.time));
+    contacts.remember(candidates, next.flow.contact_forces);
     if (reactions)
       *reactions = particle_forces<dim>(
         mesh(), bodies, next.configuration, *stress, next.flow);

@@ -46,8 +46,8 @@ namespace Catena
      * @param rates G, contact by unknown
      * @param given g
      * @param free_motion r_0
-     * @param bilateral which contacts are; one that depends on others which
-     * are is taken as a simple one
+     * @param bilateral which contacts are; those that depend on others or
+     * would force them to close are taken as simple ones
      * @throws SolverError if no motion fulfills G r >= g
      */
     Solution
