@@ -141,7 +141,8 @@ namespace Catena
           small_inverse(k, l) = rigid_schur(k, l);
         for (unsigned int c = 0; c < m; ++c)
           {
-            small_inverse(k, n + c) = -contacts.forces(k, c);
+            small_inverse(k, n + c) =
+              -contacts.shares[c] * contacts.rates(c, k);
             small_inverse(n + c, k) = contacts.rates(c, k);
           }
       }

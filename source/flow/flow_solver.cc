@@ -4,6 +4,7 @@
 
 #include <deal.II/lac/solver_gmres.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -47,6 +48,10 @@ namespace Catena
     /// cost of a new preconditioner, in iterations
     constexpr unsigned int set_up_cost = 30;
 
+    /// error of a contact force against the norm of the residual, usually,
+    /// and at most, where a tight network makes the problem stiff
+    constexpr double usual_force_error = 300., largest_force_error = 3e4;
+
     /**
      * The system of FlowMatrices with contacts, applied block by block.
      */
@@ -79,7 +84,7 @@ namespace Catena
             for (unsigned int l = 0; l < motions.size(); ++l)
               sum += matrices.rigid_rigid(k, l) * motions[l];
             for (unsigned int c = 0; c < forces.size(); ++c)
-              sum -= contacts.forces(k, c) * forces[c];
+              sum -= contacts.shares[c] * contacts.rates(c, k) * forces[c];
             dst.block(2)(k) += sum;
           }
         if (src.n_blocks() > 3)
@@ -157,7 +162,7 @@ namespace Catena
     FlowFields<dim>          &fields)
   {
     set_configuration(new_configuration);
-    extract_velocity(first_guess(fields, 0), fields);
+    extract_velocity(first_guess(fields, {}), fields);
   }
 
 
@@ -191,21 +196,17 @@ namespace Catena
 
     ContactBlocks blocks;
     if (m > 0)
-      {
-        blocks.rates.reinit(m, n);
-        blocks.forces.reinit(n, m);
-      }
+      blocks.rates.reinit(m, n);
     blocks.given.assign(m, 0.);
     for (unsigned int c = 0; c < m; ++c)
       {
-        const std::vector<double> rate  = contacts[c].rate(*bodies);
-        const std::vector<double> force = contacts[c].force(*bodies);
+        const std::vector<double> rate = contacts[c].rate(*bodies);
         for (unsigned int k = 0; k < n; ++k)
           {
-            blocks.rates(c, k)  = rate[k];
-            blocks.forces(k, c) = force[k];
+            blocks.rates(c, k) = rate[k];
             blocks.given[c] -= rate[k] * reference[k];
           }
+        blocks.shares.push_back(contacts[c].meshed_share);
       }
     return blocks;
   }
@@ -265,10 +266,10 @@ namespace Catena
 
   template <int dim>
   BlockVectorType
-  FlowSolver<dim>::first_guess(const FlowFields<dim> &fields,
-                               const unsigned int     n_contacts) const
+  FlowSolver<dim>::first_guess(const FlowFields<dim>     &fields,
+                               const std::vector<double> &forces) const
   {
-    BlockVectorType guess = make_vector(n_contacts);
+    BlockVectorType guess = make_vector(forces.size());
     for (const auto node : mesh->owned_nodes())
       {
         Point<dim> x;
@@ -287,17 +288,36 @@ namespace Catena
           mesh->node_of_vertex(vertex))
         guess.block(1)(vertex) = fields.pressure(vertex);
     if (bodies->n_unknowns() > 0)
-      {
-        std::vector<double>       values    = bodies->values(fields.motions);
-        const std::vector<double> reference = bodies->values(
-          reference_motions<dim>(mesh->scene(), configuration, held));
-        for (unsigned int k = 0; k < values.size(); ++k)
-          values[k] = bodies->is_free(k) ? values[k] - reference[k] : 0.;
-        set_replicated(guess.block(2), values);
-      }
-    if (n_contacts > 0 && fields.contact_forces.size() == n_contacts)
-      set_replicated(guess.block(3), fields.contact_forces);
+      set_replicated(guess.block(2), motion_unknowns(fields));
+    if (forces.size() > 0)
+      set_replicated(guess.block(3), forces);
     return guess;
+  }
+
+
+
+  /// The rigid-body unknowns, against the reference motions.
+  template <int dim>
+  std::vector<double>
+  FlowSolver<dim>::motion_unknowns(const FlowFields<dim> &fields) const
+  {
+    std::vector<double>       values    = bodies->values(fields.motions);
+    const std::vector<double> reference = bodies->values(
+      reference_motions<dim>(mesh->scene(), configuration, held));
+    for (unsigned int k = 0; k < values.size(); ++k)
+      values[k] = bodies->is_free(k) ? values[k] - reference[k] : 0.;
+    return values;
+  }
+
+
+
+  /// Norm of the residual to which the equations are solved.
+  template <int dim>
+  double
+  FlowSolver<dim>::target(const BlockVectorType &rhs) const
+  {
+    return wanted_residual > 0. ? wanted_residual :
+                                  parameters.tolerance * rhs.l2_norm();
   }
 
 
@@ -310,7 +330,7 @@ namespace Catena
   {
     const ContactBlocks   blocks   = contact_blocks(contacts);
     const BlockVectorType rhs      = right_hand_side(blocks, external_forces);
-    const BlockVectorType solution = first_guess(fields, contacts.size());
+    const BlockVectorType solution = first_guess(fields, fields.contact_forces);
     BlockVectorType       left     = make_vector(contacts.size());
     FlowOperator<dim>{*matrices, blocks}.vmult(left, solution);
     left -= rhs;
@@ -324,16 +344,6 @@ namespace Catena
     result.right_hand_side = rhs.l2_norm();
     result.rounding        = 1e-15 * matrices->velocity.frobenius_norm();
     return result;
-  }
-
-
-
-  template <int dim>
-  double
-  FlowSolver<dim>::target(const BlockVectorType &rhs) const
-  {
-    return wanted_residual > 0. ? wanted_residual :
-                                  parameters.tolerance * rhs.l2_norm();
   }
 
 
@@ -359,14 +369,73 @@ namespace Catena
   template <int dim>
   unsigned int
   FlowSolver<dim>::solve(FlowFields<dim>                 &fields,
-                         const std::vector<Contact<dim>> &contacts,
+                         const std::vector<Contact<dim>> &candidates,
                          const std::vector<double>       &external_forces)
   {
-    const ContactBlocks blocks   = contact_blocks(contacts);
-    BlockVectorType     rhs      = right_hand_side(blocks, external_forces);
-    const auto          guess    = first_guess(fields, contacts.size());
-    BlockVectorType     solution = guess;
-    unsigned int        iterations;
+    const unsigned int  m      = candidates.size();
+    const ContactBlocks blocks = contact_blocks(candidates);
+    if (fields.contact_forces.size() != m)
+      fields.contact_forces.assign(m, 0.);
+    if (m == 0)
+      {
+        const unsigned int iterations =
+          solve_with({}, blocks, external_forces, fields);
+        judge_preconditioner(iterations);
+        return iterations;
+      }
+
+    const double residual =
+      target(right_hand_side(ContactBlocks(), external_forces));
+    const unsigned int max_solutions = 10 + 2 * m;
+    double             force_error   = usual_force_error;
+    unsigned int       iterations    = 0;
+    ActingContacts     acting(preconditioner.rigid_resistance(),
+                          blocks,
+                          motion_unknowns(fields),
+                          fields.contact_forces);
+    for (unsigned int n = 0; n < max_solutions; ++n)
+      {
+        iterations += solve_with(acting.set(), blocks, external_forces, fields);
+        if (n == 0)
+          judge_preconditioner(iterations);
+        if (acting.are_found(motion_unknowns(fields),
+                             fields.contact_forces,
+                             force_error * residual))
+          {
+            for (double &force : fields.contact_forces)
+              force = std::max(0., force);
+            return iterations;
+          }
+        force_error = std::min(2. * force_error, largest_force_error);
+      }
+    std::ostringstream text;
+    text << "Which of " << m << " contacts repel was not found in "
+         << max_solutions << " solutions of the flow: lower 'Flow "
+         << "solver/Tolerance'.";
+    throw SolverError(text.str());
+  }
+
+
+
+  /**
+   * Solve with the contacts of @p set as equations, in place of @p fields.
+   */
+  template <int dim>
+  unsigned int
+  FlowSolver<dim>::solve_with(const std::vector<bool>   &set,
+                              const ContactBlocks       &candidates,
+                              const std::vector<double> &external_forces,
+                              FlowFields<dim>           &fields)
+  {
+    const ContactBlocks blocks = candidates.subset(set);
+    std::vector<double> forces;
+    for (unsigned int c = 0; c < set.size(); ++c)
+      if (set[c])
+        forces.push_back(fields.contact_forces[c]);
+    BlockVectorType rhs      = right_hand_side(blocks, external_forces);
+    const auto      guess    = first_guess(fields, forces);
+    BlockVectorType solution = guess;
+    unsigned int    iterations;
     try
       {
         iterations = iterate(solution, rhs, blocks);
@@ -398,6 +467,17 @@ namespace Catena
     if (!std::isfinite(solution.l2_norm()))
       throw SolverError("The flow solver gave values that are not finite.");
 
+    extract(solution, set, fields);
+    return iterations;
+  }
+
+
+
+  /// From the first solve after an assembly.
+  template <int dim>
+  void
+  FlowSolver<dim>::judge_preconditioner(const unsigned int iterations)
+  {
     if (preconditioner_is_fresh)
       {
         best_rate       = std::numeric_limits<double>::max();
@@ -410,8 +490,6 @@ namespace Catena
         iterations_lost += iterations - best_rate * decades;
       }
     preconditioner_is_due = iterations_lost > set_up_cost;
-    extract(solution, fields);
-    return iterations;
   }
 
 
@@ -464,8 +542,9 @@ namespace Catena
 
   template <int dim>
   void
-  FlowSolver<dim>::extract(const BlockVectorType &solution,
-                           FlowFields<dim>       &fields) const
+  FlowSolver<dim>::extract(const BlockVectorType   &solution,
+                           const std::vector<bool> &set,
+                           FlowFields<dim>         &fields) const
   {
     extract_velocity(solution, fields);
 
@@ -483,9 +562,13 @@ namespace Catena
       fields.pressure(vertex) -= mean;
     fields.pressure.update_ghost_values();
 
-    fields.contact_forces.clear();
+    std::vector<double> forces;
     if (solution.n_blocks() > 3)
-      fields.contact_forces = replicate(solution.block(3));
+      forces = replicate(solution.block(3));
+    fields.contact_forces.assign(set.size(), 0.);
+    for (unsigned int c = 0, row = 0; c < set.size(); ++c)
+      if (set[c])
+        fields.contact_forces[c] = forces[row++];
   }
 
 

@@ -1,3 +1,4 @@
+#include <catena/base/exceptions.h>
 #include <catena/particles/contacts.h>
 
 #include <algorithm>
@@ -10,20 +11,35 @@ namespace Catena
 
   namespace
   {
-    /// Add @p value along @p direction to the translations of a particle.
+    /// gaps that differ by less are equal [a]
+    constexpr double touching = 1e-10;
+
+    /// gaps that are wider by more than this do not close in a step [a]
+    constexpr double reach = 0.5;
+
+    /// Add @p direction to the translations of a particle.
     template <int dim>
     void
     add_translation(const RigidBodies<dim> &bodies,
                     const unsigned int      particle,
                     const Tensor<1, dim>   &direction,
-                    const bool              per_meshed_share,
                     std::vector<double>    &row)
     {
       const auto range = bodies.range(particle);
       for (unsigned int k = range.first; k < range.second; ++k)
         if (!bodies.unknown(k).rotation)
-          row[k] += direction[bodies.unknown(k).axis] *
-                    (per_meshed_share ? bodies.meshed_share(k) : 1.);
+          row[k] += direction[bodies.unknown(k).axis];
+    }
+
+    /// The norm in which displacements of all particles and images are small.
+    template <int dim>
+    FullMatrix<double>
+    meshed_shares(const RigidBodies<dim> &bodies)
+    {
+      FullMatrix<double> shares(bodies.n_unknowns());
+      for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)
+        shares(k, k) = bodies.meshed_share(k);
+      return shares;
     }
   } // namespace
 
@@ -34,22 +50,12 @@ namespace Catena
   Contact<dim>::rate(const RigidBodies<dim> &bodies) const
   {
     std::vector<double> row(bodies.n_unknowns(), 0.);
-    add_translation<dim>(bodies, i, direction, false, row);
-    add_translation<dim>(bodies, j, -image.turn(direction), false, row);
+    add_translation<dim>(bodies, i, direction, row);
+    if (partner == Partner::particle)
+      add_translation<dim>(bodies, j, -image.turn(direction), row);
+    else if (partner == Partner::mirror_image)
+      add_translation<dim>(bodies, i, direction, row);
     return row;
-  }
-
-
-
-  template <int dim>
-  std::vector<double>
-  Contact<dim>::force(const RigidBodies<dim> &bodies) const
-  {
-    std::vector<double> column(bodies.n_unknowns(), 0.);
-    add_translation<dim>(bodies, i, direction, true, column);
-    if (i != j)
-      add_translation<dim>(bodies, j, -image.turn(direction), true, column);
-    return column;
   }
 
 
@@ -58,113 +64,239 @@ namespace Catena
   Contacts<dim>::Contacts(const Scene<dim> &scene, const double minimal_gap)
     : scene(scene)
     , minimal_gap(minimal_gap)
+    , bodies(scene)
+    , displacements(meshed_shares<dim>(bodies))
   {
     for (unsigned int i = 0; i < scene.particles.size(); ++i)
-      for (unsigned int j = 0; j <= i; ++j)
-        if (i != j || (scene.rotational() && !scene.particles[i].on_axis))
-          pairs.push_back({i, j});
+      {
+        for (unsigned int j = 0; j <= i; ++j)
+          for (const Image<dim> &image : scene.images())
+            {
+              // the image of a particle on the axis is the particle; its own
+              // periodic image keeps its distance
+              const bool on_axis =
+                scene.particles[i].on_axis || scene.particles[j].on_axis;
+              if (image.turned ? !on_axis : i != j)
+                pairs.push_back({i, j, image, Contact<dim>::Partner::particle});
+            }
+        if (!scene.particles[i].on_axis)
+          add_planes(i);
+      }
   }
 
 
 
   template <int dim>
-  std::pair<Tensor<1, dim>, Image<dim>>
-  Contacts<dim>::separation(const Configuration<dim> &configuration,
-                            const Pair               &pair) const
+  void
+  Contacts<dim>::add_planes(const unsigned int particle)
   {
-    const auto      &x     = configuration.centres;
-    const Image<dim> image = scene.nearest_image(x, pair.i, pair.j);
-    return {x[pair.i] - image(x[pair.j]), image};
+    const auto add = [&](const typename Contact<dim>::Partner partner,
+                         const unsigned int                   axis,
+                         const double                         low,
+                         const double                         high) {
+      for (const double sign : {1., -1.})
+        {
+          Pair pair{particle, particle, {}, partner, sign > 0. ? -low : high};
+          pair.normal[axis] = sign;
+          pairs.push_back(pair);
+        }
+    };
+    add(Contact<dim>::Partner::wall, 1, -scene.height / 2., scene.height / 2.);
+    if (dim == 3 && !in_mirror_plane(particle))
+      add(Contact<dim>::Partner::mirror_image,
+          dim - 1,
+          scene.lower()[dim - 1],
+          scene.upper()[dim - 1]);
+  }
+
+
+
+  template <int dim>
+  bool
+  Contacts<dim>::in_mirror_plane(const unsigned int particle) const
+  {
+    return scene.mirrored() && scene.particles[particle].centre[dim - 1] == 0.;
   }
 
 
 
   template <int dim>
   double
-  Contacts<dim>::held_distance(const Pair &pair) const
+  Contacts<dim>::meshed_share(const Contact<dim> &contact) const
   {
-    return scene.particles[pair.i].radius + scene.particles[pair.j].radius +
-           2. * minimal_gap;
+    const bool with_itself =
+      contact.i == contact.j && contact.partner != Contact<dim>::Partner::wall;
+    const bool in_plane =
+      in_mirror_plane(contact.i) && in_mirror_plane(contact.j);
+    return (with_itself ? 0.5 : 1.) * (in_plane ? 0.5 : 1.);
+  }
+
+
+
+  template <int dim>
+  typename Contacts<dim>::Gap
+  Contacts<dim>::gap(const Configuration<dim> &configuration,
+                     const Pair               &pair) const
+  {
+    const Point<dim> &centre = configuration.centres[pair.i];
+    const double      radius = scene.particles[pair.i].radius;
+
+    Gap gap{{pair.i, pair.j, pair.normal, pair.image, pair.partner}, 0.};
+    if (pair.partner == Contact<dim>::Partner::particle)
+      {
+        const Tensor<1, dim> r =
+          centre - pair.image(configuration.centres[pair.j]);
+        gap.contact.direction = r / r.norm();
+        gap.excess =
+          r.norm() - radius - scene.particles[pair.j].radius - 2. * minimal_gap;
+      }
+    else
+      {
+        const double room =
+          Tensor<1, dim>(centre) * pair.normal + pair.offset - radius;
+        gap.excess = pair.partner == Contact<dim>::Partner::wall ?
+                       room - 2. * minimal_gap :
+                       2. * (room - minimal_gap);
+      }
+    gap.contact.meshed_share = meshed_share(gap.contact);
+    return gap;
   }
 
 
 
   template <int dim>
   std::vector<Contact<dim>>
-  Contacts<dim>::held(const Configuration<dim> &configuration) const
+  Contacts<dim>::candidates(const Configuration<dim> &configuration) const
   {
     std::vector<Contact<dim>> contacts;
     for (const Pair &pair : pairs)
-      if (pair.is_held)
-        {
-          const auto r = separation(configuration, pair);
-          contacts.push_back(
-            {pair.i, pair.j, r.first / r.first.norm(), r.second});
-        }
+      {
+        const Gap g = gap(configuration, pair);
+        if (g.excess < touching)
+          contacts.push_back(g.contact);
+      }
     return contacts;
   }
 
 
 
   template <int dim>
-  unsigned int
-  Contacts<dim>::n_held() const
-  {
-    return std::count_if(pairs.begin(), pairs.end(), [](const Pair &pair) {
-      return pair.is_held;
-    });
-  }
-
-
-
-  template <int dim>
   void
-  Contacts<dim>::enforce(Configuration<dim> &configuration)
+  Contacts<dim>::enforce(Configuration<dim> &configuration) const
   {
-    constexpr unsigned int max_sweeps = 1000;
-    for (unsigned int sweep = 0; sweep < max_sweeps; ++sweep)
+    constexpr unsigned int max_steps = 50;
+    constexpr double       accuracy = 1e-13, acceptable = 1e-9;
+
+    std::vector<bool> exact(pairs.size());
+    double            error = 0.;
+    for (unsigned int step = 0; step <= max_steps; ++step)
       {
-        double error = 0.;
-        for (Pair &pair : pairs)
+        std::vector<Gap> gaps;
+        error = 0.;
+        for (unsigned int p = 0; p < pairs.size(); ++p)
           {
-            const auto   r        = separation(configuration, pair);
-            const double distance = r.first.norm();
-            const double missing  = held_distance(pair) - distance;
-            if (missing > 0. && !pair.just_released)
-              pair.is_held = true;
-            if (!pair.is_held && missing <= 0.)
-              continue;
-
-            error                  = std::max(error, std::abs(missing));
-            const bool     i_moves = !scene.particles[pair.i].on_axis;
-            const bool     j_moves = !scene.particles[pair.j].on_axis;
-            const double   share   = i_moves && j_moves ? 0.5 : 1.;
-            Tensor<1, dim> move    = share * missing / distance * r.first;
-            if (i_moves)
-              configuration.centres[pair.i] += move;
-            if (j_moves && pair.i != pair.j)
-              configuration.centres[pair.j] -= r.second.turn(move);
+            gaps.push_back(gap(configuration, pairs[p]));
+            const double excess = gaps[p].excess;
+            if (step == 0)
+              exact[p] = excess < reach && last_force(gaps[p].contact) > 0.;
+            error = std::max(error, exact[p] ? std::abs(excess) : -excess);
           }
-        if (error < 1e-13)
-          break;
+        if (error < accuracy)
+          return;
+        displace(gaps, exact, configuration);
       }
-    for (Pair &pair : pairs)
-      pair.just_released = false;
+    if (error > acceptable)
+      throw SolverError("The particles could not be moved back to the smallest "
+                        "gap: use a smaller time step.");
+  }
+
+
+
+  /**
+   * A Newton step towards the smallest gaps.
+   * @param exact gaps that have to be; on return those that have been reached
+   */
+  template <int dim>
+  void
+  Contacts<dim>::displace(const std::vector<Gap> &gaps,
+                          std::vector<bool>      &exact,
+                          Configuration<dim>     &configuration) const
+  {
+    std::vector<unsigned int> near;
+    for (unsigned int p = 0; p < gaps.size(); ++p)
+      if (gaps[p].excess < reach)
+        near.push_back(p);
+
+    const unsigned int  n = bodies.n_unknowns();
+    FullMatrix<double>  rates(near.size(), n);
+    std::vector<double> missing;
+    std::vector<bool>   bilateral;
+    for (unsigned int c = 0; c < near.size(); ++c)
+      {
+        const std::vector<double> rate = gaps[near[c]].contact.rate(bodies);
+        for (unsigned int k = 0; k < n; ++k)
+          rates(c, k) = rate[k];
+        missing.push_back(-gaps[near[c]].excess);
+        bilateral.push_back(exact[near[c]]);
+      }
+
+    const auto solution = displacements.solve(rates,
+                                              missing,
+                                              std::vector<double>(n, 0.),
+                                              bilateral);
+    for (unsigned int k = 0; k < n; ++k)
+      if (!bodies.unknown(k).rotation)
+        configuration
+          .centres[bodies.unknown(k).particle][bodies.unknown(k).axis] +=
+          solution.motion[k];
+    for (unsigned int c = 0; c < near.size(); ++c)
+      exact[near[c]] = solution.active[c];
   }
 
 
 
   template <int dim>
   void
-  Contacts<dim>::release(const std::vector<double> &forces)
+  Contacts<dim>::remember(const std::vector<Contact<dim>> &contacts,
+                          const std::vector<double>       &forces)
   {
-    unsigned int c = 0;
-    for (Pair &pair : pairs)
-      if (pair.is_held && forces[c++] < 0.)
-        {
-          pair.is_held       = false;
-          pair.just_released = true;
-        }
+    AssertDimension(contacts.size(), forces.size());
+    held.clear();
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      if (forces[c] > 0.)
+        held.push_back({contacts[c], forces[c]});
+  }
+
+
+
+  template <int dim>
+  double
+  Contacts<dim>::last_force(const Contact<dim> &contact) const
+  {
+    // those of a pair of equal spheres are at least 60 degrees apart
+    constexpr double cos_of_same = 0.9;
+    for (const HeldContact &other : held)
+      if (contact.i == other.contact.i && contact.j == other.contact.j &&
+          contact.partner == other.contact.partner)
+        for (const bool turned : {false, true})
+          if (contact.direction * Image<dim>{turned}.turn(other.contact.direction) >
+                cos_of_same &&
+              (!turned || scene.rotational()))
+            return other.force;
+    return 0.;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  Contacts<dim>::remembered_forces(
+    const std::vector<Contact<dim>> &contacts) const
+  {
+    std::vector<double> forces;
+    for (const Contact<dim> &contact : contacts)
+      forces.push_back(last_force(contact));
+    return forces;
   }
 
 
@@ -175,10 +307,10 @@ namespace Catena
   {
     double smallest = std::numeric_limits<double>::max();
     for (const Pair &pair : pairs)
-      smallest = std::min(smallest,
-                          separation(configuration, pair).first.norm() -
-                            held_distance(pair) + 2. * minimal_gap);
-    return smallest / 2.;
+      if (pair.partner == Contact<dim>::Partner::particle)
+        smallest = std::min(smallest,
+                            gap(configuration, pair).excess / 2. + minimal_gap);
+    return smallest;
   }
 
 

@@ -188,7 +188,6 @@ namespace Catena
                                          step,
                                          velocity_of_mesh,
                                          last_held_step ? &reactions : nullptr);
-    contacts.release(next.flow.contact_forces);
     if (conformation_solver)
       result.conformation_iterations =
         solve_conformation(next, step, velocity_of_mesh);
@@ -249,10 +248,7 @@ namespace Catena
 
     TimeStep step;
     step.dt = parameters.time_step;
-    const unsigned int iterations =
-      solve_flow(now, step, mesh().vector_field(), nullptr);
-    contacts.release(now.flow.contact_forces);
-    return iterations;
+    return solve_flow(now, step, mesh().vector_field(), nullptr);
   }
 
 
@@ -379,14 +375,16 @@ namespace Catena
                               const VectorType    &mesh_velocity,
                               std::vector<double> *reactions)
   {
+    const auto candidates    = contacts.candidates(next.configuration);
+    next.flow.contact_forces = contacts.remembered_forces(candidates);
     if (nonlinear_solver)
       {
-        const auto timer = run_report.time("flow: solve");
-        const auto report =
-          nonlinear_solver->solve(next.configuration,
-                                  next.flow,
-                                  contacts.held(next.configuration),
-                                  external_forces(next.time));
+        const auto timer  = run_report.time("flow: solve");
+        const auto report = nonlinear_solver->solve(next.configuration,
+                                                    next.flow,
+                                                    candidates,
+                                                    external_forces(next.time));
+        contacts.remember(candidates, next.flow.contact_forces);
         run_report.count("nonlinear steps of the flow",
                          report.picard_steps + report.newton_steps);
         return report.linear_iterations;
@@ -417,9 +415,8 @@ namespace Catena
     }
     const auto         timer = run_report.time("flow: solve");
     const unsigned int iterations =
-      flow_solver.solve(next.flow,
-                        contacts.held(next.configuration),
-                        external_forces(next.time));
+      flow_solver.solve(next.flow, candidates, external_forces(next.time));
+    contacts.remember(candidates, next.flow.contact_forces);
     if (reactions)
       *reactions = particle_forces<dim>(
         mesh(), bodies, next.configuration, *stress, next.flow);

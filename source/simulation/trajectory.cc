@@ -3,6 +3,7 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -123,14 +124,15 @@ namespace Catena
   void
   Trajectory<dim>::add_contacts()
   {
-    const Level<dim> &now = simulation.current_state().now;
+    const Level<dim>          &now    = simulation.current_state().now;
+    const std::vector<double> &forces = now.flow.contact_forces;
     table.add("gap", simulation.contact_set().smallest_gap(now.configuration));
     table.add("F_r",
-              std::accumulate(now.flow.contact_forces.begin(),
-                              now.flow.contact_forces.end(),
-                              0.) /
-                stokes_force);
-    table.add("held_contacts", now.flow.contact_forces.size());
+              std::accumulate(forces.begin(), forces.end(), 0.) / stokes_force);
+    table.add("held_contacts",
+              std::count_if(forces.begin(), forces.end(), [](const double f) {
+                return f > 0.;
+              }));
   }
 
 

@@ -63,10 +63,11 @@ namespace Catena
 
       /// Forces and torques on the particles, by rigid-body unknown.
       unsigned int
-      solve(const std::vector<double> &external_forces)
+      solve(const std::vector<double>       &external_forces,
+            const std::vector<Contact<dim>> &candidates = {})
       {
         solver.assemble(configuration, stress);
-        return solver.solve(fields, {}, external_forces);
+        return solver.solve(fields, candidates, external_forces);
       }
 
       /// Force and torque that hold the particles, by rigid-body unknown.

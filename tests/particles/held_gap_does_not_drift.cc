@@ -24,6 +24,7 @@ revolve(Tests::Claims &claims)
       Contacts<dim> contacts(pair.scene, Tests::minimal_gap);
       auto          centres = Tests::configuration_of(pair.scene);
       contacts.enforce(centres);
+      contacts.remember(contacts.candidates(centres), {1.});
       const auto start = centres;
 
       // the centre of the turning
@@ -55,6 +56,8 @@ revolve(Tests::Claims &claims)
             std::min(smallest_gain,
                      contacts.smallest_gap(centres) - Tests::minimal_gap);
           contacts.enforce(centres);
+          const auto touching = contacts.candidates(centres);
+          contacts.remember(touching, std::vector<double>(touching.size(), 1.));
           largest_drift = std::max(largest_drift,
                                    std::abs(contacts.smallest_gap(centres) -
                                             Tests::minimal_gap));

@@ -99,6 +99,40 @@ namespace Catena
                              {{point<dim>(half * c + 1., half * s + 2.)},
                               {point<dim>(half * c - 1., half * s - 2.)}})}};
     }
+
+
+
+    /**
+     * The scene without its symmetries: all images are particles, those of the
+     * scene the first.
+     */
+    template <int dim>
+    Scene<dim>
+    whole_box(const Scene<dim> &scene)
+    {
+      Scene<dim> whole = scene;
+      whole.symmetry   = Symmetry::none;
+      for (Particle<dim> &particle : whole.particles)
+        particle.on_axis = false;
+      if (scene.rotational())
+        for (const Particle<dim> &particle : scene.particles)
+          if (!particle.on_axis)
+            {
+              Particle<dim> image = particle;
+              image.centre[0] *= -1.;
+              image.centre[1] *= -1.;
+              whole.particles.push_back(image);
+            }
+      if (scene.mirrored())
+        for (unsigned int i = 0, n = whole.particles.size(); i < n; ++i)
+          if (whole.particles[i].centre[dim - 1] != 0.)
+            {
+              Particle<dim> image = whole.particles[i];
+              image.centre[dim - 1] *= -1.;
+              whole.particles.push_back(image);
+            }
+      return whole;
+    }
   } // namespace Tests
 } // namespace Catena
 

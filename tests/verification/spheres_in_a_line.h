@@ -180,7 +180,7 @@ namespace Catena
         solver.solve(fields, {}, no_forces);
         Quantities result = read(fields);
 
-        solver.solve(fields, contacts.held(configuration), no_forces);
+        solver.solve(fields, contacts.candidates(configuration), no_forces);
         const Quantities held = read(fields);
         change                = 0.;
         for (const auto &quantity : held)

@@ -2,6 +2,7 @@
 #define catena_flow_flow_preconditioner_h
 
 #include <catena/flow/flow_matrices.h>
+#include <catena/particles/acting_contacts.h>
 
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/precondition.h>
@@ -12,25 +13,6 @@
 
 namespace Catena
 {
-  /**
-   * Contacts as rows and columns of the rigid-body unknowns r: the gap rates
-   * rates r = given, and the forces F_r on the bodies through @p forces.
-   */
-  struct ContactBlocks
-  {
-    dealii::FullMatrix<double> rates;  ///< contact by unknown
-    dealii::FullMatrix<double> forces; ///< unknown by contact
-    std::vector<double>        given;  ///< prescribed gap rates
-
-    unsigned int
-    n_contacts() const
-    {
-      return given.size();
-    }
-  };
-
-
-
   /**
    * Block upper triangular preconditioner of the system of FlowMatrices,
    *
@@ -59,6 +41,13 @@ namespace Catena
 
     void
     vmult(BlockVectorType &dst, const BlockVectorType &src) const;
+
+    /// Resistance of the particles to their motion, roughly.
+    const dealii::FullMatrix<double> &
+    rigid_resistance() const
+    {
+      return rigid_schur;
+    }
 
   private:
     struct Component

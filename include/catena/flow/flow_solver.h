@@ -45,7 +45,8 @@ namespace Catena
     VectorType                    velocity;
     VectorType                    pressure;
     std::vector<RigidMotion<dim>> motions;
-    std::vector<double>           contact_forces;
+    /// F_r >= 0, by candidate contact
+    std::vector<double> contact_forces;
   };
 
 
@@ -102,16 +103,24 @@ namespace Catena
              const dealii::Function<dim> *body_force = nullptr);
 
     /**
-     * Solve with @p fields as first guess.
+     * Solve with @p fields as first guess, also for the contact forces if they
+     * are one for each candidate.
      *
-     * @param contacts pairs whose gap is held
+     * Every contact has F_r >= 0, a gap rate >= 0, and one of them zero: the
+     * repelling ones are equations, found by ActingContacts with the
+     * preconditioner's resistance of the particles. As long as they are those
+     * that this predicts from the first guess, there is one linear solve.
+     *
+     * @param candidates all contacts; their forces, in @p fields afterwards,
+     * may be zero
      * @param external_forces on the whole particles, by rigid-body unknown
      * @return number of iterations
-     * @throws SolverError if it fails also with a fresh preconditioner
+     * @throws SolverError if it fails also with a fresh preconditioner, or if
+     * the repelling contacts are not found
      */
     unsigned int
     solve(FlowFields<dim>                 &fields,
-          const std::vector<Contact<dim>> &contacts,
+          const std::vector<Contact<dim>> &candidates,
           const std::vector<double>       &external_forces);
 
     /**
@@ -194,11 +203,20 @@ namespace Catena
                     const std::vector<double> &external_forces) const;
 
     BlockVectorType
-    first_guess(const FlowFields<dim> &fields,
-                const unsigned int     n_contacts) const;
+    first_guess(const FlowFields<dim>     &fields,
+                const std::vector<double> &contact_forces) const;
+
+    std::vector<double>
+    motion_unknowns(const FlowFields<dim> &fields) const;
 
     double
     target(const BlockVectorType &rhs) const;
+
+    unsigned int
+    solve_with(const std::vector<bool>   &set,
+               const ContactBlocks       &candidates,
+               const std::vector<double> &external_forces,
+               FlowFields<dim>           &fields);
 
     unsigned int
     iterate(BlockVectorType       &solution,
@@ -206,7 +224,12 @@ namespace Catena
             const ContactBlocks   &contacts);
 
     void
-    extract(const BlockVectorType &solution, FlowFields<dim> &fields) const;
+    judge_preconditioner(const unsigned int iterations);
+
+    void
+    extract(const BlockVectorType   &solution,
+            const std::vector<bool> &set,
+            FlowFields<dim>         &fields) const;
 
     void
     extract_velocity(const BlockVectorType &solution,

@@ -1,6 +1,7 @@
 #ifndef catena_particles_contacts_h
 #define catena_particles_contacts_h
 
+#include <catena/particles/contact_forces.h>
 #include <catena/particles/rigid_bodies.h>
 #include <catena/scene/configuration.h>
 #include <catena/scene/scene.h>
@@ -10,19 +11,38 @@
 namespace Catena
 {
   /**
-   * Two surfaces at the smallest gap: of particles i and j, or of i and its
-   * own image under the rotational symmetry (i == j).
+   * Two surfaces at the smallest gap: of particle i and its partner, which is
+   * particle j or an image of it, or a wall, or a mirror plane behind which is
+   * the mirror image of i.
    */
   template <int dim>
   struct Contact
   {
+    enum class Partner
+    {
+      particle,
+      wall,
+      mirror_image
+    };
+
+    /// j is i if the partner is no other particle
     unsigned int i, j;
 
-    /// unit vector from the (image of the) centre of j to that of i
+    /// unit vector from the partner (its centre) to the centre of i
     dealii::Tensor<1, dim> direction;
 
-    /// the image of j that i touches
-    Image<dim> image;
+    /// the partner is this image of j
+    Image<dim> image = {};
+
+    Partner partner = Partner::particle;
+
+    /**
+     * One over the number of symmetries of the scene that leave the contact
+     * as it is. The force F_r on the meshed parts of the particles is
+     * meshed_share F_r rate(), by rigid-body unknown: like the meshed part of
+     * the fluid, it does this share of the work.
+     */
+    double meshed_share = 1.;
 
     /**
      * Coefficients of the gap rate in the rigid-body unknowns,
@@ -30,25 +50,19 @@ namespace Catena
      */
     std::vector<double>
     rate(const RigidBodies<dim> &bodies) const;
-
-    /**
-     * Force on the meshed part of each particle by a unit repulsion F_r, in
-     * the rows of the rigid-body unknowns.
-     */
-    std::vector<double>
-    force(const RigidBodies<dim> &bodies) const;
   };
 
 
 
   /**
-   * The smallest gap 2 a d_min between particle surfaces: which pairs are
-   * held there, and the motion along the constraint (Jaensson et al. 2016,
-   * section 2.3).
+   * The smallest gap 2 a d_min between surfaces (Jaensson et al. 2016, section
+   * 2.3): of pairs of particles, of particles and images of particles under
+   * the rotation, the period and the mirror planes of the scene, and of
+   * particles and walls.
    *
-   * A pair is held from the step in which its gap would fall below the
-   * minimum, its surfaces are then kept at exactly that distance, and it is
-   * let go in the step after its force has turned to attraction.
+   * A contact is a gap of exactly this width. Those whose force was repulsive
+   * in the last solution of the flow are held: they are brought back to this
+   * width after a step in time. All others may open.
    */
   template <int dim>
   class Contacts
@@ -59,51 +73,99 @@ namespace Catena
      */
     Contacts(const Scene<dim> &scene, const double minimal_gap);
 
-    /// Pairs held now.
+    /// All contacts, whether there will be a force or not.
     std::vector<Contact<dim>>
-    held(const Configuration<dim> &configuration) const;
+    candidates(const Configuration<dim> &configuration) const;
+
+    /**
+     * Move the particles back to where no gap is below the smallest one and
+     * the held ones are exactly the smallest one, to 1e-13. The sum of the
+     * squares of the displacements of all particles and images is the
+     * smallest in each of the Newton steps. Held gaps that others do not allow
+     * to be exact may be wider.
+     *
+     * @throws SolverError if the particles have no room
+     */
+    void
+    enforce(Configuration<dim> &configuration) const;
+
+    /**
+     * Hold the contacts that repel, let go all others.
+     * @param forces F_r, by contact
+     */
+    void
+    remember(const std::vector<Contact<dim>> &contacts,
+             const std::vector<double>       &forces);
+
+    /**
+     * The last forces of @p contacts, zero for new ones. A contact is the same
+     * if it has the same partners in about the same direction: also if they
+     * have been replaced by their images since.
+     */
+    std::vector<double>
+    remembered_forces(const std::vector<Contact<dim>> &contacts) const;
 
     unsigned int
-    n_held() const;
+    n_held() const
+    {
+      return held.size();
+    }
 
-    /**
-     * Hold the pairs whose gap is below the minimum, unless they have only
-     * just been let go, and move all these to exactly the smallest distance,
-     * symmetrically, along their lines of centres.
-     */
-    void
-    enforce(Configuration<dim> &configuration);
-
-    /**
-     * Let go the held pairs whose force is attractive.
-     * @param forces F_r of the contacts in the order of held()
-     */
-    void
-    release(const std::vector<double> &forces);
-
-    /// Smallest gap over all pairs, in diameters 2a.
+    /// Smallest gap over all pairs of particles, in diameters 2a.
     double
     smallest_gap(const Configuration<dim> &configuration) const;
 
   private:
+    /// Two surfaces that may come into contact.
     struct Pair
     {
       unsigned int i, j;
-      bool         is_held       = false;
-      bool         just_released = false;
+      Image<dim>   image; ///< of j
+      typename Contact<dim>::Partner partner;
+      /// x.normal + offset is the distance from a wall or mirror plane
+      double                 offset = 0.;
+      dealii::Tensor<1, dim> normal = {};
     };
 
-    const Scene<dim>  scene;
-    const double      minimal_gap;
-    std::vector<Pair> pairs;
+    /// The contact of a pair, and its gap without the smallest one [a].
+    struct Gap
+    {
+      Contact<dim> contact;
+      double       excess;
+    };
 
-    /// Vector from the nearest image of j to i, and this image.
-    std::pair<dealii::Tensor<1, dim>, Image<dim>>
-    separation(const Configuration<dim> &configuration, const Pair &pair) const;
+    struct HeldContact
+    {
+      Contact<dim> contact;
+      double       force;
+    };
 
-    /// Distance of centres at the smallest gap.
+    const Scene<dim>         scene;
+    const double             minimal_gap;
+    const RigidBodies<dim>   bodies;
+    const ContactForces      displacements;
+    std::vector<Pair>        pairs;
+    std::vector<HeldContact> held;
+
+    void
+    add_planes(const unsigned int particle);
+
+    bool
+    in_mirror_plane(const unsigned int particle) const;
+
     double
-    held_distance(const Pair &pair) const;
+    meshed_share(const Contact<dim> &contact) const;
+
+    Gap
+    gap(const Configuration<dim> &configuration, const Pair &pair) const;
+
+    double
+    last_force(const Contact<dim> &contact) const;
+
+    void
+    displace(const std::vector<Gap> &gaps,
+             std::vector<bool>      &exact,
+             Configuration<dim>     &configuration) const;
   };
 } // namespace Catena
 
