@@ -27,6 +27,30 @@ namespace Catena
 
 
 
+  namespace
+  {
+    /// Iterations for the response of the fluid to each rigid-body unknown:
+    /// fewer where there are many to be found.
+    unsigned int
+    response_iterations(const unsigned int n_rigid)
+    {
+      return n_rigid <= 12 ? 4 : 1;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  unsigned int
+  FlowPreconditioner<dim>::set_up_cost() const
+  {
+    constexpr unsigned int multigrid = 10;
+    const unsigned int     n         = matrices->n_rigid();
+    return multigrid + n * (response_iterations(n) + 1);
+  }
+
+
+
   template <int dim>
   void
   FlowPreconditioner<dim>::initialize(const FlowMatrices<dim> &new_matrices)
@@ -113,7 +137,7 @@ namespace Catena
         matrices->velocity_rigid.vmult(column, rigid_src);
 
         response = 0.;
-        IterationNumberControl control(4, 1e-12);
+        IterationNumberControl control(response_iterations(n), 1e-12);
         SolverGMRES<VectorType>(control).solve(matrices->velocity,
                                                response,
                                                column,

@@ -45,9 +45,6 @@ namespace Catena
 
   namespace
   {
-    /// cost of a new preconditioner, in iterations
-    constexpr unsigned int set_up_cost = 30;
-
     /// error of a contact force against the norm of the residual, usually,
     /// and at most, where a tight network makes the problem stiff
     constexpr double usual_force_error = 300., largest_force_error = 3e4;
@@ -489,7 +486,7 @@ namespace Catena
         best_rate = std::min(best_rate, iterations / decades);
         iterations_lost += iterations - best_rate * decades;
       }
-    preconditioner_is_due = iterations_lost > set_up_cost;
+    preconditioner_is_due = iterations_lost > preconditioner.set_up_cost();
   }
 
 

@@ -6,28 +6,6 @@ namespace Catena
   using namespace dealii;
 
   void
-  SimulationParameters::declare_fluid(ParameterHandler &prm)
-  {
-    prm.enter_subsection("Fluid");
-    prm.declare_entry(
-      "Model",
-      "giesekus",
-      Patterns::Selection("newtonian|giesekus|carreau"),
-      "newtonian, giesekus (Oldroyd-B with a mobility of 0), or carreau "
-      "(a viscosity that depends on the rate, no elasticity).");
-    prm.add_action("Model", [this](const std::string &name) {
-      fluid = name == "newtonian" ? FluidModel::newtonian :
-              name == "giesekus"  ? FluidModel::giesekus :
-                                    FluidModel::carreau;
-    });
-    giesekus.declare(prm);
-    carreau.declare(prm);
-    prm.leave_subsection();
-  }
-
-
-
-  void
   SimulationParameters::declare_mesh(ParameterHandler &prm)
   {
     prm.enter_subsection("Mesh");
@@ -50,7 +28,9 @@ namespace Catena
   void
   SimulationParameters::declare(ParameterHandler &prm)
   {
-    declare_fluid(prm);
+    prm.enter_subsection("Fluid");
+    fluid.declare(prm);
+    prm.leave_subsection();
 
     prm.enter_subsection("Particles");
     prm.add_parameter("Minimal gap",
@@ -102,10 +82,7 @@ namespace Catena
   void
   SimulationParameters::check() const
   {
-    if (viscoelastic())
-      giesekus.check();
-    if (fluid == FluidModel::carreau)
-      carreau.check();
+    fluid.check();
     require(minimal_gap > 0. && minimal_gap < 1.,
             "Particles/Minimal gap",
             minimal_gap,

@@ -40,7 +40,8 @@ namespace Catena
                       parameters.final_strain,
                       communicator);
     // an overshoot has no slope at its peak: look at a longer time than its own
-    const double window = 1. + 2. * parameters.giesekus.weissenberg_number;
+    const double window =
+      1. + 2. * parameters.fluid.giesekus.weissenberg_number;
     std::deque<std::pair<double, double>> recent; // strain, angular velocity
     bool                                  steady = false;
     while (!steady && simulation.strain() < parameters.final_strain - 1e-9)
@@ -99,9 +100,9 @@ namespace Catena
     double &
     rate(SimulationParameters &parameters)
     {
-      return parameters.fluid == FluidModel::carreau ?
-               parameters.carreau.carreau_time :
-               parameters.giesekus.weissenberg_number;
+      return parameters.fluid.model == FluidParameters::Model::carreau ?
+               parameters.fluid.carreau.carreau_time :
+               parameters.fluid.giesekus.weissenberg_number;
     }
   } // namespace
 
@@ -120,7 +121,8 @@ namespace Catena
         rate(parameters)                = r;
         parameters.check();
       }
-    require(rates.empty() || simulation.fluid != FluidModel::newtonian,
+    require(rates.empty() ||
+              simulation.fluid.model != FluidParameters::Model::newtonian,
             "Sweep/Rates",
             rates.empty() ? 0. : rates[0],
             "a Newtonian fluid has no rate of its own: leave it empty");
@@ -140,7 +142,8 @@ namespace Catena
                  const std::string             &directory,
                  const MPI_Comm                 communicator)
   {
-    const bool      newtonian = parameters.fluid == FluidModel::newtonian;
+    const bool newtonian =
+      parameters.fluid.model == FluidParameters::Model::newtonian;
     TrajectoryTable table(directory + "/rotation_rate.csv", communicator);
     table.declare("rate");
     table.declare("omega", "gamma");
@@ -160,9 +163,9 @@ namespace Catena
           rate(one) = r;
         std::ostringstream name;
         name << directory << "/trajectory_" << r << ".csv";
-        const double         begin = wall_clock();
-        const SteadyRotation result =
-          steady_rotation(scene, one, sweep.tolerance, name.str(), communicator);
+        const double         begin  = wall_clock();
+        const SteadyRotation result = steady_rotation(
+          scene, one, sweep.tolerance, name.str(), communicator);
         table.add("rate", r);
         table.add("omega", result.angular_velocity);
         table.add("change", result.change);

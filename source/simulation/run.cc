@@ -26,7 +26,7 @@ namespace Catena
                     const MPI_Comm              communicator)
         : strains(parameters.field_strains)
         , modulus(parameters.viscoelastic() ?
-                    Giesekus<dim>(parameters.giesekus).modulus() :
+                    Giesekus<dim>(parameters.fluid.giesekus).modulus() :
                     0.)
         , output(directory, "fields", communicator)
       {

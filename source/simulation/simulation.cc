@@ -49,11 +49,13 @@ namespace Catena
     parameters.check();
     if (parameters.viscoelastic())
       conformation_solver = std::make_unique<ConformationSolver<dim>>(
-        Giesekus<dim>(parameters.giesekus), parameters.conformation_solver);
-    if (parameters.fluid == FluidModel::carreau)
+        Giesekus<dim>(parameters.fluid.giesekus),
+        parameters.conformation_solver);
+    if (parameters.fluid.model == FluidParameters::Model::carreau)
       nonlinear_solver =
         std::make_unique<NonlinearFlowSolver<dim>>(flow_solver,
-                                                   Carreau(parameters.carreau),
+                                                   Carreau(
+                                                     parameters.fluid.carreau),
                                                    parameters.nonlinear_solver);
   }
 
@@ -75,7 +77,7 @@ namespace Catena
   double
   Simulation<dim>::initial_strain() const
   {
-    return starts_held() ? -parameters.giesekus.weissenberg_number : 0.;
+    return starts_held() ? -parameters.fluid.giesekus.weissenberg_number : 0.;
   }
 
 
@@ -399,7 +401,7 @@ namespace Catena
         convection -= mesh_velocity;
         convection.update_ghost_values();
         stress = std::make_unique<StressPrediction<dim>>(
-          Giesekus<dim>(parameters.giesekus),
+          Giesekus<dim>(parameters.fluid.giesekus),
           step,
           now.log_conformation,
           before.log_conformation.empty() ? now.log_conformation :

@@ -21,7 +21,7 @@ main(int argc, char **argv)
 
     Contacts<3> contacts(scene, 0.02 + 1e-12);
     contacts.enforce(problem.configuration);
-    const auto held = contacts.held(problem.configuration);
+    const auto held = contacts.candidates(problem.configuration);
     claims.holds("the gap is held", held.size() == 1);
 
     const auto   guess           = problem.fields;

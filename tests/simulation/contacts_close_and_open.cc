@@ -15,7 +15,7 @@ main(int argc, char **argv)
 
   return Tests::run(argc, argv, [](auto &claims) {
     auto parameters         = Tests::three_discs_parameters(0.4, 0.08);
-    parameters.fluid        = FluidModel::newtonian;
+    parameters.fluid.model  = FluidParameters::Model::newtonian;
     parameters.minimal_gap  = 0.1;
     parameters.final_strain = 12.;
     // those of usual runs

@@ -33,7 +33,7 @@ SimulationParameters
 make_parameters(const GiesekusParameters &fluid, const double dt)
 {
   SimulationParameters parameters;
-  parameters.giesekus                      = fluid;
+  parameters.fluid.giesekus                = fluid;
   parameters.time_step                     = dt;
   parameters.mesh.maximal_size             = 1.;
   parameters.flow_solver.tolerance         = 1e-8;

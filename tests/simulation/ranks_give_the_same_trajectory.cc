@@ -20,12 +20,12 @@ main(int argc, char **argv)
     scene.box.height = 12.;
 
     SimulationParameters parameters;
-    parameters.giesekus.weissenberg_number   = 0.8;
-    parameters.final_strain                  = 0.4;
-    parameters.mesh.elements_on_equator      = 24;
-    parameters.mesh.elements_across_gap      = 1;
-    parameters.flow_solver.tolerance         = 1e-11;
-    parameters.conformation_solver.tolerance = 1e-12;
+    parameters.fluid.giesekus.weissenberg_number = 0.8;
+    parameters.final_strain                      = 0.4;
+    parameters.mesh.elements_on_equator          = 24;
+    parameters.mesh.elements_across_gap          = 1;
+    parameters.flow_solver.tolerance             = 1e-11;
+    parameters.conformation_solver.tolerance     = 1e-12;
 
     Simulation<2> simulation(scene.scene<2>(), parameters, MPI_COMM_WORLD);
     simulation.initialize();

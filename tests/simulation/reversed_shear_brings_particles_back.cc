@@ -14,15 +14,15 @@ using namespace Catena::Tests;
 
 /// Distance from the start at the end, after a look at the turning point.
 double
-way_left(Claims            &claims,
-         const std::string &name,
-         const FluidModel   fluid,
-         const double       dt)
+way_left(Claims                      &claims,
+         const std::string           &name,
+         const FluidParameters::Model fluid,
+         const double                 dt)
 {
   SimulationParameters parameters       = three_discs_parameters(0.4, dt);
-  parameters.fluid                      = fluid;
-  parameters.carreau.carreau_time       = 10.;
-  parameters.carreau.power_index        = 0.3;
+  parameters.fluid.model                = fluid;
+  parameters.fluid.carreau.carreau_time = 10.;
+  parameters.fluid.carreau.power_index  = 0.3;
   parameters.nonlinear_solver.tolerance = 1e-9;
   parameters.final_strain               = 1.6;
   parameters.reversal_strains           = {0.8};
@@ -70,9 +70,10 @@ int
 main(int argc, char **argv)
 {
   return run(argc, argv, [](Claims &claims) {
-    for (const auto &fluid :
-         {std::make_pair(std::string("Newtonian"), FluidModel::newtonian),
-          std::make_pair(std::string("Carreau"), FluidModel::carreau)})
+    for (const auto &fluid : {std::make_pair(std::string("Newtonian"),
+                                             FluidParameters::Model::newtonian),
+                              std::make_pair(std::string("Carreau"),
+                                             FluidParameters::Model::carreau)})
       {
         const double coarse =
           way_left(claims, fluid.first + ", dt 0.1", fluid.second, 0.1);

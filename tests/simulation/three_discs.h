@@ -40,10 +40,10 @@ namespace Catena
     three_discs_parameters(const double h, const double dt)
     {
       SimulationParameters parameters;
-      parameters.giesekus.weissenberg_number = 1.;
-      parameters.giesekus.mobility_parameter = 0.1;
-      parameters.minimal_gap                 = 0.001;
-      parameters.time_step                   = dt;
+      parameters.fluid.giesekus.weissenberg_number = 1.;
+      parameters.fluid.giesekus.mobility_parameter = 0.1;
+      parameters.minimal_gap                       = 0.001;
+      parameters.time_step                         = dt;
 
       parameters.mesh.elements_on_equator =
         std::lround(2. * dealii::numbers::PI / h);

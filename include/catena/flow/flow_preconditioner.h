@@ -42,6 +42,10 @@ namespace Catena
     void
     vmult(BlockVectorType &dst, const BlockVectorType &src) const;
 
+    /// Cost of initialize(), in iterations of the solver, roughly.
+    unsigned int
+    set_up_cost() const;
+
     /// Resistance of the particles to their motion, roughly.
     const dealii::FullMatrix<double> &
     rigid_resistance() const

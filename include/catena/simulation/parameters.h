@@ -5,8 +5,7 @@
 #include <catena/flow/flow_solver.h>
 #include <catena/flow/nonlinear_flow_solver.h>
 #include <catena/mesh/mesher.h>
-#include <catena/rheology/carreau.h>
-#include <catena/rheology/giesekus.h>
+#include <catena/rheology/fluid_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -16,24 +15,12 @@
 namespace Catena
 {
   /**
-   * The suspending fluid.
-   */
-  enum class FluidModel
-  {
-    newtonian,
-    giesekus,
-    carreau
-  };
-
-  /**
    * All parameters of a simulation but those of its scene. Units: a, gamma,
    * eta0.
    */
   struct SimulationParameters
   {
-    FluidModel         fluid = FluidModel::giesekus;
-    GiesekusParameters giesekus;
-    CarreauParameters  carreau;
+    FluidParameters fluid;
 
     /// d_min: the smallest gap between particles, divided by the diameter
     double minimal_gap = 0.02;
@@ -60,7 +47,7 @@ namespace Catena
     bool
     viscoelastic() const
     {
-      return fluid == FluidModel::giesekus;
+      return fluid.model == FluidParameters::Model::giesekus;
     }
 
     void
@@ -71,9 +58,6 @@ namespace Catena
     check() const;
 
   private:
-    void
-    declare_fluid(dealii::ParameterHandler &prm);
-
     void
     declare_mesh(dealii::ParameterHandler &prm);
   };
