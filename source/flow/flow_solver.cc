@@ -325,9 +325,11 @@ namespace Catena
                             const std::vector<Contact<dim>> &contacts,
                             const std::vector<double> &external_forces) const
   {
-    const ContactBlocks   blocks   = contact_blocks(contacts);
-    const BlockVectorType rhs      = right_hand_side(blocks, external_forces);
-    const BlockVectorType solution = first_guess(fields, fields.contact_forces);
+    const ContactBlocks   blocks = contact_blocks(contacts);
+    const BlockVectorType rhs    = right_hand_side(blocks, external_forces);
+    std::vector<double>   forces = fields.contact_forces;
+    forces.resize(contacts.size());
+    const BlockVectorType solution = first_guess(fields, forces);
     BlockVectorType       left     = make_vector(contacts.size());
     FlowOperator<dim>{*matrices, blocks}.vmult(left, solution);
     left -= rhs;

@@ -64,7 +64,7 @@ simulate(const Scene<dim>         &scene,
          const double              duration)
 {
   SimulationParameters parameters = make_parameters(fluid, dt);
-  parameters.final_strain = std::max(0., duration - fluid.weissenberg_number);
+  parameters.final_strain         = duration;
   Simulation<dim> simulation(scene, parameters, MPI_COMM_SELF);
   simulation.initialize();
   StepReport report;
