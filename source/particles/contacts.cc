@@ -279,7 +279,8 @@ namespace Catena
       if (contact.i == other.contact.i && contact.j == other.contact.j &&
           contact.partner == other.contact.partner)
         for (const bool turned : {false, true})
-          if (contact.direction * Image<dim>{turned}.turn(other.contact.direction) >
+          if (contact.direction *
+                  Image<dim>{turned}.turn(other.contact.direction) >
                 cos_of_same &&
               (!turned || scene.rotational()))
             return other.force;
@@ -305,7 +306,7 @@ namespace Catena
   double
   Contacts<dim>::smallest_gap(const Configuration<dim> &configuration) const
   {
-    double smallest = std::numeric_limits<double>::max();
+    double smallest = std::numeric_limits<double>::infinity();
     for (const Pair &pair : pairs)
       if (pair.partner == Contact<dim>::Partner::particle)
         smallest = std::min(smallest,

@@ -36,6 +36,8 @@ namespace Catena
                               const MPI_Comm         communicator)
     : simulation(simulation)
     , table(path, communicator)
+    , has_gap(std::isfinite(simulation.contact_set().smallest_gap(
+        simulation.current_state().now.configuration)))
   {
     declare_columns();
   }
@@ -52,7 +54,8 @@ namespace Catena
     table.declare("dt", "1/gamma");
     if (simulation.initial_scene().line)
       table.declare("theta", "deg");
-    table.declare("gap", "2a");
+    if (has_gap)
+      table.declare("gap", "2a");
     for (unsigned int i = 0; i < n && n <= max_with_distances; ++i)
       for (unsigned int j = 0; j < i; ++j)
         table.declare("distance_" + std::to_string(j) + "_" + std::to_string(i),
@@ -126,7 +129,9 @@ namespace Catena
   {
     const Level<dim>          &now    = simulation.current_state().now;
     const std::vector<double> &forces = now.flow.contact_forces;
-    table.add("gap", simulation.contact_set().smallest_gap(now.configuration));
+    if (has_gap)
+      table.add("gap",
+                simulation.contact_set().smallest_gap(now.configuration));
     table.add("F_r",
               std::accumulate(forces.begin(), forces.end(), 0.) / stokes_force);
     table.add("held_contacts",

@@ -111,7 +111,8 @@ namespace Catena
       return held.size();
     }
 
-    /// Smallest gap over all pairs of particles, in diameters 2a.
+    /// Smallest gap over all pairs of particles, in diameters 2a; infinite
+    /// without any.
     double
     smallest_gap(const Configuration<dim> &configuration) const;
 
@@ -119,8 +120,8 @@ namespace Catena
     /// Two surfaces that may come into contact.
     struct Pair
     {
-      unsigned int i, j;
-      Image<dim>   image; ///< of j
+      unsigned int                   i, j;
+      Image<dim>                     image; ///< of j
       typename Contact<dim>::Partner partner;
       /// x.normal + offset is the distance from a wall or mirror plane
       double                 offset = 0.;

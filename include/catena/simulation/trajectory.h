@@ -27,6 +27,8 @@ namespace Catena
   private:
     const Simulation<dim> &simulation;
     TrajectoryTable        table;
+    /// are there two particles, or one and its image?
+    const bool has_gap;
 
     void
     declare_columns();
