@@ -50,7 +50,9 @@ namespace Catena
                          const unsigned int component) const
   {
     const unsigned int node = mesh.node_of_vertex(vertex);
-    if (mesh.on_wall(node) ||
+    // without a particle there is nothing that fixes x
+    const bool slides = component == 0 && !mesh.scene().particles.empty();
+    if ((mesh.on_wall(node) && !slides) ||
         mesh.particle(node) != MovingMesh<dim>::no_particle ||
         (component == 2 && mesh.on_mirror(node)))
       return 0;

@@ -23,9 +23,10 @@ namespace Catena
    *   d = X_i - X_i,ref + (R - I)(x - X_i,ref),
    *
    * R being the rotation by the angle the frame has turned since the mesh was
-   * made: the mesh in a gap turns with a pair instead of being sheared. Walls
-   * stay, mirror planes stay planes, identified planes move as images of each
-   * other. Mid-nodes stay in the middle of their edges, or on their sphere.
+   * made: the mesh in a gap turns with a pair instead of being sheared. The
+   * mesh slides along walls in the direction of the flow, mirror planes stay
+   * planes, identified planes move as images of each other. Mid-nodes stay in
+   * the middle of their edges, or on their sphere.
    *
    * Because the positions depend on the configuration alone, the mesh at
    * earlier times is known from the earlier places of the particles: a new
