@@ -30,7 +30,14 @@ namespace Catena
       StokesProblem(const Scene<dim>     &scene,
                     const MeshParameters &parameters,
                     const double          tolerance = 1e-10)
-        : mesh(MPI_COMM_WORLD, scene, generate_mesh(scene, parameters))
+        : StokesProblem(scene, generate_mesh(scene, parameters), tolerance)
+      {}
+
+      /// On a given mesh.
+      StokesProblem(const Scene<dim>           &scene,
+                    const MeshDescription<dim> &description,
+                    const double                tolerance = 1e-10)
+        : mesh(MPI_COMM_WORLD, scene, description)
         , bodies(scene)
         , solver(controls(tolerance))
       {
