@@ -1,7 +1,7 @@
-// Three discs in a sheared fluid are pressed together by forces along their
-// line, which turns meanwhile, and then pulled apart; and a disc is pressed
-// against a wall and pulled off it. The gaps close, are held at exactly the
-// smallest one as long as there is pressure, and open at once afterwards.
+// Three discs or spheres in a sheared fluid are pressed together by forces
+// along their line, which turns meanwhile, and then pulled apart; and one is
+// pressed against a wall and pulled off it. The gaps close, are held at exactly
+// the smallest one as long as there is pressure, and open at once afterwards.
 
 #include <catena/base/time_history.h>
 #include <catena/particles/contacts.h>
@@ -24,11 +24,14 @@ constexpr double dt           = 0.05;
 constexpr double press_strain = 0.8, final_strain = 1.6;
 
 /// Force on particle @p i at an instant.
-using Forces = std::function<Tensor<1, 2>(const unsigned int,
-                                          const std::vector<Point<2>> &)>;
+template <int dim>
+using Forces = std::function<Tensor<1, dim>(const unsigned int,
+                                            const std::vector<Point<dim>> &)>;
 
 /// All gaps that may close, in radii.
-using Gaps = std::function<std::vector<double>(const std::vector<Point<2>> &)>;
+template <int dim>
+using Gaps =
+  std::function<std::vector<double>(const std::vector<Point<dim>> &)>;
 
 
 
@@ -47,25 +50,26 @@ struct History
  * Move the particles by the formula of Adams and Bashforth, with a new mesh in
  * every step. The forces press first and pull after.
  */
+template <int dim>
 History
-simulate(Scene<2>      scene,
-         const double  minimal_gap,
-         const Forces &pressing,
-         const Gaps   &gaps)
+simulate(Scene<dim>         scene,
+         const double       minimal_gap,
+         const Forces<dim> &pressing,
+         const Gaps<dim>   &gaps)
 {
-  const double                smallest = 2. * minimal_gap;
-  Contacts<2>                 contacts(scene, minimal_gap);
-  std::vector<RigidMotion<2>> now, before;
-  History                     history;
-  const unsigned int          n_steps = std::lround(final_strain / dt);
+  const double                  smallest = 2. * minimal_gap;
+  Contacts<dim>                 contacts(scene, minimal_gap);
+  std::vector<RigidMotion<dim>> now, before;
+  History                       history;
+  const unsigned int            n_steps = std::lround(final_strain / dt);
   for (unsigned int step = 0; step <= n_steps; ++step)
     {
       const TimeStep        times{dt, step > 1 ? dt : 0.};
       const TwoLevelWeights weights = times.adams_bashforth();
-      Configuration<2>      configuration;
+      Configuration<dim>    configuration;
       for (unsigned int i = 0; i < scene.particles.size(); ++i)
         {
-          Point<2> &centre = scene.particles[i].centre;
+          Point<dim> &centre = scene.particles[i].centre;
           if (step > 0)
             centre += dt * weights.b0 * now[i].velocity;
           if (step > 1)
@@ -81,7 +85,10 @@ simulate(Scene<2>      scene,
       if (contacts.n_held() > 0)
         history.drift = std::max(history.drift, std::abs(narrowest - smallest));
 
-      Tests::StokesProblem<2> problem(scene, Tests::resolution(16, 1), 1e-8);
+      MeshParameters resolution = Tests::resolution(16, 1);
+      if (dim == 3)
+        resolution.growth = 0.5;
+      Tests::StokesProblem<dim> problem(scene, resolution, 1e-8);
       if (step > 0)
         problem.fields.motions = now;
       const auto candidates         = contacts.candidates(configuration);
@@ -143,55 +150,72 @@ check(Tests::Claims     &claims,
 
 
 
+template <int dim>
 void
-three_discs(Tests::Claims &claims)
+three_in_a_line(Tests::Claims &claims)
 {
-  Scene<2> scene;
+  Scene<dim> scene;
   scene.length    = 14.;
   scene.height    = 9.;
-  scene.particles = {{Tests::polar<2>(2.4, 200.)},
-                     {Point<2>(0.1, 0.)},
-                     {Tests::polar<2>(2.3, 20.)}};
+  scene.width     = 6.;
+  scene.symmetry  = dim == 3 ? Symmetry::half : Symmetry::none;
+  scene.particles = {{Tests::polar<dim>(2.4, 200.)},
+                     {Tests::polar<dim>(0.1, 0.)},
+                     {Tests::polar<dim>(2.3, 20.)}};
 
-  const auto pressing = [](const unsigned int           i,
-                           const std::vector<Point<2>> &x) {
-    const Tensor<1, 2> line = (x[2] - x[0]) / x[2].distance(x[0]);
-    return (i == 0 ? 30. : (i == 2 ? -30. : 0.)) * line;
+  const auto pressing = [](const unsigned int             i,
+                           const std::vector<Point<dim>> &x) {
+    const Tensor<1, dim> line = (x[2] - x[0]) / x[2].distance(x[0]);
+    // more than the force by which the shear presses them together
+    const double force = dim == 2 ? 30. : 90.;
+    return (i == 0 ? force : (i == 2 ? -force : 0.)) * line;
   };
-  const auto gaps = [](const std::vector<Point<2>> &x) {
+  const auto gaps = [](const std::vector<Point<dim>> &x) {
     return std::vector<double>{x[0].distance(x[1]) - 2.,
                                x[1].distance(x[2]) - 2.,
                                x[0].distance(x[2]) - 2.};
   };
-  check(claims, "three discs", 2, simulate(scene, 0.05, pressing, gaps));
+  check(claims,
+        dim == 2 ? "three discs" : "three spheres",
+        2,
+        simulate<dim>(scene, 0.05, pressing, gaps));
 }
 
 
 
+template <int dim>
 void
-disc_at_wall(Tests::Claims &claims)
+at_wall(Tests::Claims &claims)
 {
-  Scene<2> scene;
+  Scene<dim> scene;
   scene.length    = 10.;
   scene.height    = 6.;
-  scene.particles = {{Point<2>(0.3, 1.75)}};
+  scene.width     = 6.;
+  scene.symmetry  = dim == 3 ? Symmetry::half : Symmetry::none;
+  scene.particles = {{Tests::polar<dim>(1.75, 80.)}};
 
-  const auto pressing = [](const unsigned int, const std::vector<Point<2>> &) {
-    Tensor<1, 2> force;
+  const auto pressing = [](const unsigned int,
+                           const std::vector<Point<dim>> &) {
+    Tensor<1, dim> force;
     force[1] = 30.;
     return force;
   };
-  const auto gaps = [](const std::vector<Point<2>> &x) {
+  const auto gaps = [](const std::vector<Point<dim>> &x) {
     return std::vector<double>{3. - x[0][1] - 1.};
   };
-  check(claims, "disc at a wall", 1, simulate(scene, 0.1, pressing, gaps));
+  check(claims,
+        dim == 2 ? "disc at a wall" : "sphere at a wall",
+        1,
+        simulate<dim>(scene, 0.1, pressing, gaps));
 }
 
 int
 main(int argc, char **argv)
 {
   return Tests::run(argc, argv, [](Tests::Claims &claims) {
-    three_discs(claims);
-    disc_at_wall(claims);
+    three_in_a_line<2>(claims);
+    three_in_a_line<3>(claims);
+    at_wall<2>(claims);
+    at_wall<3>(claims);
   });
 }
