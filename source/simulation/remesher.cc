@@ -206,6 +206,15 @@ namespace Catena
     const Scene<dim> &layout = mesh.scene();
     const auto       &x      = configuration.centres;
     for (unsigned int i = 0; i < x.size(); ++i)
+      if (!layout.particles[i].on_axis)
+        {
+          // it has left the block: its image comes back
+          const double radius = layout.particles[i].radius;
+          if (x[i][0] < layout.lower()[0] - radius ||
+              x[i][0] > layout.upper()[0] + radius)
+            return true;
+        }
+    for (unsigned int i = 0; i < x.size(); ++i)
       for (unsigned int j = 0; j <= i; ++j)
         {
           if (i == j && (!layout.rotational() || layout.particles[i].on_axis))

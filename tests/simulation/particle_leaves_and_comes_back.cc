@@ -35,7 +35,7 @@ run_from(const double x)
   parameters.final_strain                      = 4.;
   parameters.mesh.elements_on_equator          = 32;
   parameters.mesh.elements_across_gap          = 1;
-  parameters.mesh.maximal_size                 = 0.6;
+  parameters.mesh.maximal_size                 = 0.4;
 
   Simulation<2> simulation(scene, parameters, MPI_COMM_WORLD);
   simulation.initialize();

@@ -30,7 +30,8 @@ namespace Catena
 
     /**
      * Is a new mesh needed? Looks at the quality at the mesh's current
-     * positions and at the elements across gaps.
+     * positions, at the elements across gaps, and for particles that have left
+     * the block.
      */
     bool
     is_due(const Discretization<dim> &discretization,
