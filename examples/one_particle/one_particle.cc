@@ -35,9 +35,8 @@ main(int argc, char **argv)
     sweep.check(simulation);
   };
   program.run = [&](const ProgramOptions &options) {
-    const std::string directory = options.output_directory.empty() ?
-                                    simulation.output_directory :
-                                    options.output_directory;
+    const std::string directory =
+      options.results_directory(simulation.output_directory);
     prepare_output_directory(directory, options.overwrite, MPI_COMM_WORLD);
     rotation_sweep(
       scene.scene<3>(), simulation, sweep, directory, MPI_COMM_WORLD);

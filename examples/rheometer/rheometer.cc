@@ -28,9 +28,8 @@ main(int argc, char **argv)
   program.check = [&]() { rheometer.check(); };
   program.run   = [&](const ProgramOptions &options) {
     write_rheometer_tables(rheometer,
-                           options.output_directory.empty() ?
-                               rheometer.output_directory :
-                               options.output_directory,
+                           options.results_directory(
+                             rheometer.output_directory),
                            options.overwrite,
                            MPI_COMM_WORLD);
   };

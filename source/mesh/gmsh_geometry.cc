@@ -1,4 +1,5 @@
 #include <catena/mesh/gmsh_geometry.h>
+#include <catena/scene/image_in_block.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -44,24 +45,6 @@ namespace Catena
 
 
 
-    /// The image of a particle that has its centre in the block.
-    template <int dim>
-    Image<dim>
-    image_in_block(const Scene<dim> &scene, const Particle<dim> &particle)
-    {
-      const Point<dim> low = scene.lower(), high = scene.upper();
-      for (const Image<dim> &image : scene.images())
-        {
-          const Point<dim> c = image(particle.centre);
-          if (c[0] >= low[0] && c[0] <= high[0] && c[1] >= low[1] &&
-              c[1] <= high[1])
-            return image;
-        }
-      return {};
-    }
-
-
-
     /**
      * Direction in the x-y plane of the seam of a sphere: out of the block for
      * a particle on the axis, straight away from a plane that it crosses, else
@@ -77,7 +60,7 @@ namespace Catena
         return scene.cut == Cut::x_plane ? dealii::numbers::PI :
                                            -dealii::numbers::PI_2;
 
-      const Image<dim>       home   = image_in_block(scene, particle);
+      const Image<dim>       home   = image_in_block(scene, particle.centre);
       const Point<dim>       centre = home(particle.centre);
       dealii::Tensor<1, dim> away;
       for (unsigned int d = 0; d < 2; ++d)

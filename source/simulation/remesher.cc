@@ -1,5 +1,6 @@
 #include <catena/base/exceptions.h>
 #include <catena/mesh/field_transfer.h>
+#include <catena/scene/image_in_block.h>
 #include <catena/simulation/remesher.h>
 
 #include <deal.II/base/mpi.h>
@@ -241,26 +242,13 @@ namespace Catena
                                State<dim>         &state,
                                Configuration<dim> &next) const
   {
-    const Point<dim> low = layout.lower(), high = layout.upper();
     for (unsigned int i = 0; i < layout.particles.size(); ++i)
-      {
-        if (layout.particles[i].on_axis)
-          continue;
-        const auto inside = [&](const Point<dim> &p) {
-          return p[0] >= low[0] && p[0] <= high[0] && p[1] >= low[1] &&
-                 p[1] <= high[1];
-        };
-        if (inside(next.centres[i]))
-          continue;
-
-        for (const Image<dim> &image : layout.images())
-          if (inside(image(next.centres[i])))
-            {
-              replace_by_image(image, i, state);
-              next.centres[i] = image(next.centres[i]);
-              break;
-            }
-      }
+      if (!layout.particles[i].on_axis)
+        {
+          const Image<dim> image = image_in_block(layout, next.centres[i]);
+          replace_by_image(image, i, state);
+          next.centres[i] = image(next.centres[i]);
+        }
   }
 
 
@@ -283,9 +271,8 @@ namespace Catena
             continue;
           RigidMotion<dim> &motion = level->flow.motions[i];
           motion.velocity          = image.turn(motion.velocity);
-          if (image.turned)
-            for (unsigned int d = 0; d < 2; ++d)
-              motion.angular_velocity[d] *= -1.;
+          motion.angular_velocity =
+            Image<3>{image.turned}.turn(motion.angular_velocity);
         }
 
     const RigidBodies<dim> bodies(scene);

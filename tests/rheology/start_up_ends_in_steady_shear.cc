@@ -11,6 +11,8 @@
 
 #include "../tests.h"
 
+#include "../refusal.h"
+
 using namespace Catena;
 
 template <int dim>
@@ -154,15 +156,9 @@ compare_with_extension(Tests::Claims &claims)
 bool
 times_are_refused(const std::vector<double> &times)
 {
-  try
-    {
-      start_up(make_model<2>(1., 0.1), dealii::Tensor<2, 2>(), times);
-    }
-  catch (const InputError &)
-    {
-      return true;
-    }
-  return false;
+  return !Tests::refusal([&]() {
+            start_up(make_model<2>(1., 0.1), dealii::Tensor<2, 2>(), times);
+          }).empty();
 }
 
 

@@ -14,20 +14,11 @@
 
 #include "../tests.h"
 
+#include "../refusal.h"
+#include "giesekus.h"
+
 using namespace Catena;
 using Number = boost::multiprecision::cpp_bin_float_100;
-
-GiesekusParameters
-make_parameters(const double Wi, const double alpha, const double beta)
-{
-  GiesekusParameters parameters;
-  parameters.weissenberg_number      = Wi;
-  parameters.mobility_parameter      = alpha;
-  parameters.solvent_viscosity_ratio = beta;
-  return parameters;
-}
-
-
 
 double
 deviation(const double value, const Number &expected)
@@ -66,7 +57,7 @@ compare_with_many_digits(Tests::Claims &claims)
         {
           const double beta = 0.1;
           const auto   state =
-            steady_extension(make_parameters(1., alpha, beta), sign * rate);
+            steady_extension(Tests::giesekus(1., alpha, beta), sign * rate);
           if (!state)
             continue;
 
@@ -101,7 +92,7 @@ check_constitutive_equation(Tests::Claims &claims)
     for (const double product : products)
       for (const double alpha : mobilities)
         {
-          const auto   parameters = make_parameters(Wi, alpha, 0.);
+          const auto   parameters = Tests::giesekus(Wi, alpha, 0.);
           const double rate       = product / Wi;
           const auto   state      = steady_extension(parameters, rate);
           if (!state)
@@ -128,7 +119,7 @@ check_limits(Tests::Claims &claims)
         {
           // W and beta are rounded: the formula is exact for what they are.
           const Number product = W;
-          const auto state = steady_extension(make_parameters(W, 0., beta), 1.);
+          const auto state = steady_extension(Tests::giesekus(W, 0., beta), 1.);
           oldroyd_b        = std::max(
             {oldroyd_b,
                     deviation(state->axial_conformation, 1 / (1 - 2 * product)),
@@ -141,7 +132,7 @@ check_limits(Tests::Claims &claims)
       for (const double alpha : {0., 0.3, 1.})
         weak =
           std::max(weak,
-                   deviation(steady_extension(make_parameters(2., alpha, beta),
+                   deviation(steady_extension(Tests::giesekus(2., alpha, beta),
                                               1e-16)
                                ->viscosity,
                              3));
@@ -149,7 +140,7 @@ check_limits(Tests::Claims &claims)
         strong = std::max(
           strong,
           deviation(
-            steady_extension(make_parameters(2., alpha, beta), 1e14)->viscosity,
+            steady_extension(Tests::giesekus(2., alpha, beta), 1e14)->viscosity,
             3 * beta + 2 * (1 - beta) / alpha));
     }
   claims.at_most("alpha = 0 is Oldroyd-B", oldroyd_b, 2e-15);
@@ -158,7 +149,7 @@ check_limits(Tests::Claims &claims)
                  strong,
                  2e-12);
 
-  const auto at_rest = steady_extension(make_parameters(2., 0.3, 0.1), 0.);
+  const auto at_rest = steady_extension(Tests::giesekus(2., 0.3, 0.1), 0.);
   claims.near("eta_E = 3 eta0 at rest", at_rest->viscosity, 3., 1e-15);
   claims.near("c = I at rest",
               (at_rest->conformation() -
@@ -174,7 +165,7 @@ void
 check_existence(Tests::Claims &claims)
 {
   const auto exists = [](const double alpha, const double product) {
-    return steady_extension(make_parameters(2., alpha, 0.1), product / 2.)
+    return steady_extension(Tests::giesekus(2., alpha, 0.1), product / 2.)
       .has_value();
   };
   const double almost_half = 0.5 - 1e-15;
@@ -193,15 +184,9 @@ check_existence(Tests::Claims &claims)
 bool
 is_refused(const double alpha, const double rate)
 {
-  try
-    {
-      steady_extension(make_parameters(1., alpha, 0.1), rate);
-    }
-  catch (const InputError &)
-    {
-      return true;
-    }
-  return false;
+  return !Tests::refusal([&]() {
+            steady_extension(Tests::giesekus(1., alpha, 0.1), rate);
+          }).empty();
 }
 
 

@@ -9,19 +9,9 @@
 
 #include "../tests.h"
 
+#include "giesekus.h"
+
 using namespace Catena;
-
-GiesekusParameters
-make_parameters(const double Wi, const double alpha, const double beta)
-{
-  GiesekusParameters parameters;
-  parameters.weissenberg_number      = Wi;
-  parameters.mobility_parameter      = alpha;
-  parameters.solvent_viscosity_ratio = beta;
-  return parameters;
-}
-
-
 
 double
 deviation(const double value, const double expected)
@@ -40,7 +30,7 @@ compare_with_table(Tests::Claims &claims)
   double error = 0.;
   for (unsigned int row = 0; row < n_rows; ++row)
     {
-      const SteadyShear state = steady_shear(make_parameters(
+      const SteadyShear state = steady_shear(Tests::giesekus(
         table["Wi"][row], table["alpha"][row], table["beta"][row]));
       error =
         std::max({error,
@@ -71,7 +61,7 @@ check_constitutive_equation(Tests::Claims &claims)
   for (const double Wi : {1e-6, 1e-3, 0.1, 1., 5., 100., 1e4})
     for (const double alpha : {0., 1e-15, 1e-8, 0.1, 0.5, 0.8, 1. - 1e-12, 1.})
       {
-        const auto          parameters = make_parameters(Wi, alpha, 0.1);
+        const auto          parameters = Tests::giesekus(Wi, alpha, 0.1);
         const auto          c = steady_shear(parameters).conformation<dim>();
         const Giesekus<dim> model(parameters);
 
@@ -96,7 +86,7 @@ check_limits(Tests::Claims &claims)
     {
       for (const double Wi : {1e-8, 0.3, 1., 20.})
         {
-          const auto state = steady_shear(make_parameters(Wi, 0., beta));
+          const auto state = steady_shear(Tests::giesekus(Wi, 0., beta));
           oldroyd_b        = std::max(
             {oldroyd_b,
                     deviation(state.viscosity, 1.),
@@ -106,7 +96,7 @@ check_limits(Tests::Claims &claims)
                     deviation(state.elasticity_parameter, (1. - beta) * Wi)});
 
           // f = alpha Wi^2 + O(alpha^2)
-          const auto close = steady_shear(make_parameters(Wi, 1e-18, beta));
+          const auto close = steady_shear(Tests::giesekus(Wi, 1e-18, beta));
           continuity       = std::max(
             {continuity,
                    deviation(close.first_normal_stress_difference, 2. * Wi * Wi),
@@ -115,7 +105,7 @@ check_limits(Tests::Claims &claims)
         }
 
       const double Wi    = 1e-9;
-      const auto   state = steady_shear(make_parameters(Wi, 0.3, beta));
+      const auto   state = steady_shear(Tests::giesekus(Wi, 0.3, beta));
       small_shear        = std::max(
         {small_shear,
                 deviation(state.first_normal_stress_difference, 2. * Wi * Wi),

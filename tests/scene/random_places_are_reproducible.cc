@@ -6,6 +6,8 @@
 
 #include "../tests.h"
 
+#include "../refusal.h"
+
 using namespace dealii;
 using namespace Catena;
 
@@ -103,15 +105,7 @@ main(int argc, char **argv)
 
     parameters.volume_fraction = 0.;
     parameters.number          = 2000;
-    std::string message;
-    try
-      {
-        parameters.check();
-      }
-    catch (const InputError &error)
-      {
-        message = error.what();
-      }
+    const std::string message  = Tests::refusal([&]() { parameters.check(); });
     claims.holds("too many are refused by name",
                  message.find("'Scene/Number' = 2000") != std::string::npos);
   });

@@ -37,6 +37,13 @@ namespace Catena
     /// Results of an earlier run may be replaced.
     bool overwrite = false;
 
+    /// Where the results go, @p in_file being what the parameter file says.
+    const std::string &
+    results_directory(const std::string &in_file) const
+    {
+      return output_directory.empty() ? in_file : output_directory;
+    }
+
     /**
      * Read the command line
      * `[FILE.prm] [--template] [--validate FILE.prm] [--output DIR]

@@ -39,9 +39,7 @@ namespace Catena
     program.run = [&](const ProgramOptions &options) {
       run_simulation(scene.template scene<3>(),
                      simulation,
-                     options.output_directory.empty() ?
-                       simulation.output_directory :
-                       options.output_directory,
+                     options.results_directory(simulation.output_directory),
                      options.overwrite,
                      MPI_COMM_WORLD);
     };
