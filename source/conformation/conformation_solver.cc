@@ -57,49 +57,27 @@ namespace Catena
 
 
   template <int dim>
-  signed char
-  ConformationSolver<dim>::factor(const unsigned int vertex,
-                                  const unsigned int component) const
-  {
-    const unsigned int node = mesh->node_of_vertex(vertex);
-    const auto         ij =
-      SymmetricTensor<2, dim>::unrolled_to_component_indices(component);
-    const bool odd_in_z = (ij[0] < 2) != (ij[1] < 2);
-    if (odd_in_z && mesh->on_mirror(node))
-      return 0;
-    return static_cast<signed char>(
-      mesh->identification().template tensor_factor<dim>(node, component));
-  }
-
-
-
-  template <int dim>
   void
   ConformationSolver<dim>::reinit(const MovingMesh<dim> &new_mesh)
   {
-    mesh = &new_mesh;
-    masters.assign(mesh->scalar_dofs().n_dofs(), 0);
-    for (const auto vertex : mesh->relevant_scalars())
-      masters[vertex] = mesh->vertex_of_node(
-        mesh->identification().master(mesh->node_of_vertex(vertex)));
+    mesh           = &new_mesh;
+    identification = TensorIdentification<dim>(*mesh);
 
-    DynamicSparsityPattern pattern(masters.size(),
-                                   masters.size(),
+    DynamicSparsityPattern pattern(mesh->scalar_dofs().n_dofs(),
+                                   mesh->scalar_dofs().n_dofs(),
                                    mesh->relevant_scalars());
     for (const auto vertex : mesh->owned_scalars())
       pattern.add(vertex, vertex);
     for (const auto &cell : mesh->cells())
       for (const unsigned int i : cell.vertices)
         for (const unsigned int j : cell.vertices)
-          pattern.add(masters[i], masters[j]);
+          pattern.add(identification.master(i), identification.master(j));
 
     groups.clear();
     for (unsigned int k = 0; k < n_components; ++k)
       {
-        std::vector<signed char> factors(masters.size(), 0);
-        for (const auto vertex : mesh->relevant_scalars())
-          factors[vertex] = factor(vertex, k);
-        Group *group = nullptr;
+        const std::vector<signed char> &factors = identification.factors(k);
+        Group                          *group   = nullptr;
         for (const auto &known : groups)
           if (Utilities::MPI::min(known->factors == factors ? 1 : 0,
                                   mesh->communicator()) == 1)
@@ -178,10 +156,11 @@ namespace Catena
                 s_hat += point.linear[v] * (extrapolation.b0 * s[v] +
                                             extrapolation.b1 * s_old[v]);
               }
+            const auto   spectrum   = spectral_decomposition<dim>(s_hat);
+            const double relaxation = model.fastest_relaxation(spectrum);
             SymmetricTensor<2, dim> known =
-              history +
-              model.log_conformation_rate(L,
-                                          spectral_decomposition<dim>(s_hat));
+              history + model.log_conformation_rate(L, spectrum) +
+              relaxation * s_hat;
             if (source)
               known += source(x);
 
@@ -193,7 +172,8 @@ namespace Catena
                 along_w[v] = w * point.linear_gradient[v];
                 crossing_rate += std::abs(along_w[v]);
               }
-            const double tau = 1. / std::hypot(bdf.a0 / step.dt, crossing_rate);
+            const double rate = bdf.a0 / step.dt + relaxation;
+            const double tau  = 1. / std::hypot(rate, crossing_rate);
 
             for (unsigned int v = 0; v < n_vertices; ++v)
               {
@@ -201,8 +181,7 @@ namespace Catena
                   point.JxW * (point.linear[v] + tau * along_w[v]);
                 rhs[v] += test * known;
                 for (unsigned int u = 0; u < n_vertices; ++u)
-                  matrix[v][u] +=
-                    test * (bdf.a0 / step.dt * point.linear[u] + along_w[u]);
+                  matrix[v][u] += test * (rate * point.linear[u] + along_w[u]);
               }
           }
 
@@ -210,28 +189,29 @@ namespace Catena
           for (unsigned int v = 0; v < n_vertices; ++v)
             {
               const unsigned int i      = cell.vertices[v];
+              const unsigned int master = identification.master(i);
               const double       factor = group->factors[i];
-              const int          row    = group->access.row(masters[i]);
+              const int          row    = group->access.row(master);
               if (factor == 0. || row == CsrAccess::absent)
                 continue;
               for (unsigned int k = 0; k < group->components.size(); ++k)
-                group->rhs[k](masters[i]) +=
+                group->rhs[k](master) +=
                   factor * rhs[v].access_raw_entry(group->components[k]);
               for (unsigned int u = 0; u < n_vertices; ++u)
                 {
                   const unsigned int j = cell.vertices[u];
                   if (group->factors[j] != 0)
-                    group->access.add(row,
-                                      group->access.column(masters[j]),
-                                      factor * group->factors[j] *
-                                        matrix[v][u]);
+                    group->access.add(
+                      row,
+                      group->access.column(identification.master(j)),
+                      factor * group->factors[j] * matrix[v][u]);
                 }
             }
       }
 
     for (const auto &group : groups)
       for (const auto i : mesh->owned_scalars())
-        if (masters[i] != i || group->factors[i] == 0)
+        if (!identification.is_free(group->components[0], i))
           group->access.add(group->access.row(i), group->access.column(i), 1.);
   }
 
@@ -252,7 +232,7 @@ namespace Catena
         VectorType  x(group.rhs[k]);
         x.copy_locally_owned_data_from(component);
         for (const auto i : mesh->owned_scalars())
-          if (masters[i] != i || group.factors[i] == 0)
+          if (!identification.is_free(group.components[k], i))
             x(i) = 0.;
 
         // a field at rest has no right-hand side to compare with
@@ -275,13 +255,7 @@ namespace Catena
           }
         iterations = std::max(iterations, control.last_step());
 
-        VectorType masters_values = mesh->scalar_field();
-        masters_values.copy_locally_owned_data_from(x);
-        masters_values.update_ghost_values();
-        component = mesh->scalar_field();
-        for (const auto i : mesh->owned_scalars())
-          component(i) = group.factors[i] * masters_values(masters[i]);
-        component.update_ghost_values();
+        component = identification.field(group.components[k], *mesh, x);
       }
     return iterations;
   }

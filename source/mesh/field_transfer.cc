@@ -1,17 +1,10 @@
-#include <catena/base/csr_access.h>
 #include <catena/base/exceptions.h>
 #include <catena/mesh/cell_values.h>
 #include <catena/mesh/field_transfer.h>
 #include <catena/mesh/quadratic_shape.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/symmetric_tensor.h>
-
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/solver_cg.h>
-#include <deal.II/lac/trilinos_precondition.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <limits>
 
@@ -174,7 +167,7 @@ namespace Catena
 
   template <int dim>
   VectorType
-  FieldTransfer<dim>::scalar(const VectorType &field) const
+  FieldTransfer<dim>::scalar(const VectorType &field, const bool odd) const
   {
     const auto values = gather_vertex_values(field);
     VectorType result = target.scalar_field();
@@ -189,7 +182,7 @@ namespace Catena
             double     value  = 0.;
             for (unsigned int v = 0; v < n_vertices; ++v)
               value += shapes[v] * values[place->cell][v];
-            result(vertex) = value;
+            result(vertex) = odd && place->turned ? -value : value;
           }
         ++place;
       }
@@ -203,60 +196,26 @@ namespace Catena
   std::vector<VectorType>
   FieldTransfer<dim>::tensor(const std::vector<VectorType> &components) const
   {
-    std::vector<VectorType>   result(components.size());
-    std::vector<unsigned int> even, odd;
+    // sized first: a vector copied when the list grows loses its ghost values
+    std::vector<VectorType> result(components.size());
     for (unsigned int k = 0; k < components.size(); ++k)
-      (is_odd<dim>(k) ? odd : even).push_back(k);
-    project(components, even, result);
-    if (!odd.empty())
-      project(components, odd, result);
+      result[k] = scalar(components[k], is_odd<dim>(k));
     return result;
   }
 
 
 
   template <int dim>
-  void
-  FieldTransfer<dim>::project(const std::vector<VectorType>   &components,
-                              const std::vector<unsigned int> &selected,
-                              std::vector<VectorType>         &result) const
+  std::vector<SymmetricTensor<2, dim>>
+  FieldTransfer<dim>::tensor_at_points(
+    const std::vector<VectorType> &components) const
   {
-    const NodeIdentification &identification = target.identification();
-    const auto                master         = [&](const unsigned int vertex) {
-      return target.vertex_of_node(
-        identification.master(target.node_of_vertex(vertex)));
-    };
-    const bool odd    = is_odd<dim>(selected[0]);
-    const auto factor = [&](const unsigned int vertex) {
-      const unsigned int node = target.node_of_vertex(vertex);
-      if (odd && target.on_mirror(node))
-        return 0.;
-      return identification.template tensor_factor<dim>(node, selected[0]);
-    };
-    const IndexSet &owned = target.owned_scalars();
-
-    DynamicSparsityPattern pattern(target.scalar_dofs().n_dofs(),
-                                   target.scalar_dofs().n_dofs(),
-                                   target.relevant_scalars());
-    for (const auto vertex : owned)
-      pattern.add(vertex, vertex);
-    for (const auto &cell : target.cells())
-      for (const unsigned int i : cell.vertices)
-        for (const unsigned int j : cell.vertices)
-          pattern.add(master(i), master(j));
-    TrilinosWrappers::SparseMatrix mass;
-    mass.reinit(owned, owned, pattern, target.communicator());
-    const CsrAccess access(mass, owned, target.relevant_scalars());
-
     std::vector<std::vector<std::array<double, n_vertices>>> values;
-    std::vector<VectorType>                                  rhs;
-    for (const unsigned int k : selected)
-      {
-        values.push_back(gather_vertex_values(components[k]));
-        rhs.emplace_back(owned, target.communicator());
-      }
+    for (const VectorType &component : components)
+      values.push_back(gather_vertex_values(component));
 
-    CellValues<dim> cell_values(QWitherdenVincentSimplex<dim>(2));
+    CellValues<dim>                      cell_values;
+    std::vector<SymmetricTensor<2, dim>> result;
     for (const auto &cell : target.cells())
       {
         const auto nodes = target.cell_positions(cell, target_positions);
@@ -270,58 +229,18 @@ namespace Catena
             const Place place  = find(x, violation);
             const auto  shapes = barycentric_coordinates<dim>(place.unit);
 
-            for (unsigned int v = 0; v < n_vertices; ++v)
+            SymmetricTensor<2, dim> value;
+            for (unsigned int k = 0; k < components.size(); ++k)
               {
-                const unsigned int i   = cell.vertices[v];
-                const int          row = access.row(master(i));
-                if (row == CsrAccess::absent)
-                  continue;
-                const double test = point.JxW * factor(i) * point.linear[v];
-                for (unsigned int u = 0; u < n_vertices; ++u)
-                  access.add(row,
-                             access.column(master(cell.vertices[u])),
-                             test * factor(cell.vertices[u]) * point.linear[u]);
-                for (unsigned int k = 0; k < selected.size(); ++k)
-                  {
-                    double value = 0.;
-                    for (unsigned int w = 0; w < n_vertices; ++w)
-                      value += shapes[w] * values[k][place.cell][w];
-                    rhs[k](master(i)) +=
-                      test * (odd && place.turned ? -value : value);
-                  }
+                const double sign = place.turned && is_odd<dim>(k) ? -1. : 1.;
+                for (unsigned int v = 0; v < n_vertices; ++v)
+                  value.access_raw_entry(k) +=
+                    sign * shapes[v] * values[k][place.cell][v];
               }
+            result.push_back(value);
           }
       }
-    for (const auto i : owned)
-      if (master(i) != i || factor(i) == 0.)
-        access.add(access.row(i), access.column(i), 1.);
-
-    TrilinosWrappers::PreconditionJacobi jacobi;
-    jacobi.initialize(mass);
-    for (unsigned int k = 0; k < selected.size(); ++k)
-      {
-        VectorType    solution(rhs[k]);
-        SolverControl control(500, std::max(1e-12 * rhs[k].l2_norm(), 1e-14));
-        solution = 0.;
-        try
-          {
-            SolverCG<VectorType>(control).solve(mass, solution, rhs[k], jacobi);
-          }
-        catch (const SolverControl::NoConvergence &)
-          {
-            throw SolverError(
-              "The projection of the conformation onto a new mesh did not "
-              "converge in 500 iterations.");
-          }
-        VectorType masters = target.scalar_field();
-        masters.copy_locally_owned_data_from(solution);
-        masters.update_ghost_values();
-        VectorType &field = result[selected[k]];
-        field             = target.scalar_field();
-        for (const auto i : owned)
-          field(i) = factor(i) * masters(master(i));
-        field.update_ghost_values();
-      }
+    return result;
   }
 
 

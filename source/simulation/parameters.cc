@@ -10,6 +10,11 @@ namespace Catena
   {
     prm.enter_subsection("Mesh");
     mesh.declare(prm);
+    prm.add_parameter("Gap stretch",
+                      gap_stretch,
+                      "Elements in a narrow gap may be this many times longer "
+                      "along it than across it; 1 for elements of equal sides.",
+                      Patterns::Double());
     prm.add_parameter("Remesh quality",
                       remesh_quality,
                       "A new mesh is made when the quality has fallen below "
@@ -41,10 +46,7 @@ namespace Catena
     prm.leave_subsection();
 
     prm.enter_subsection("Time");
-    prm.add_parameter("Time step",
-                      time_step,
-                      "Time step [1/gamma].",
-                      Patterns::Double());
+    step_control.declare(prm);
     prm.add_parameter("Final strain",
                       final_strain,
                       "Strain gamma t at which the run ends, counted from the "
@@ -87,10 +89,7 @@ namespace Catena
             "Particles/Minimal gap",
             minimal_gap,
             "choose a value between 0.001 and 1, 0.02 is usual");
-    require(time_step > 0. && time_step <= 1.,
-            "Time/Time step",
-            time_step,
-            "choose a positive time step of at most 1, 0.08 is usual");
+    step_control.check();
     require(final_strain >= 0.,
             "Time/Final strain",
             final_strain,
@@ -101,6 +100,10 @@ namespace Catena
               reversal_strains[i],
               "choose positive strains in growing order");
     mesh.check();
+    require(gap_stretch >= 1. && gap_stretch <= 20.,
+            "Mesh/Gap stretch",
+            gap_stretch,
+            "choose a factor from 1 to 20, 4 is usual");
     require(remesh_quality > 0. && remesh_quality < 1.,
             "Mesh/Remesh quality",
             remesh_quality,

@@ -1,10 +1,12 @@
 #include <catena/base/exceptions.h>
+#include <catena/conformation/conformation_change.h>
 #include <catena/flow/particle_forces.h>
 #include <catena/flow/stress_prediction.h>
 #include <catena/flow/velocity_constraints.h>
 #include <catena/output/progress.h>
 #include <catena/simulation/simulation.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Catena
@@ -28,6 +30,13 @@ namespace Catena
 
     /// Strains that differ by rounding only
     constexpr double same_strain = 1e-9;
+
+    /// A log-conformation off its extrapolation by more is not followed: the
+    /// stress is predicted with that extrapolation.
+    constexpr double largest_change = 1.;
+
+    /// What held the particles is let go over one unit of strain.
+    constexpr double ramp_end = 1.;
   } // namespace
 
 
@@ -43,6 +52,7 @@ namespace Catena
     , bodies(scene)
     , contacts(scene, parameters.minimal_gap)
     , flow_solver(parameters.flow_solver)
+    , step_control(parameters.step_control)
     , run_report(communicator)
   {
     scene.check();
@@ -69,6 +79,18 @@ namespace Catena
     for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)
       any_moves |= !bodies.unknown(k).rotation;
     return parameters.viscoelastic() && any_moves;
+  }
+
+
+
+  /// Does a force that held the particles act for a while?
+  template <int dim>
+  bool
+  Simulation<dim>::ramped() const
+  {
+    return std::any_of(state.holding_forces.begin(),
+                       state.holding_forces.end(),
+                       [](const double force) { return force != 0.; });
   }
 
 
@@ -147,18 +169,28 @@ namespace Catena
 
 
 
+  /**
+   * The wanted step, but not over an instant at which something changes.
+   */
   template <int dim>
   double
   Simulation<dim>::next_dt() const
   {
-    double end = held ? 0. : parameters.final_strain;
+    const double now    = state.now.time;
+    double       end    = held ? 0. : parameters.final_strain;
+    const auto   end_at = [&](const double instant) {
+      if (instant > now + same_strain)
+        end = std::min(end, instant);
+    };
+    if (!held && ramped())
+      end_at(ramp_end);
     for (const double reversal : parameters.reversal_strains)
-      if (reversal > state.now.time + same_strain)
-        end = std::min(end, reversal);
-    const double left = end - state.now.time;
-    if (held)
-      return left / std::ceil(left / parameters.time_step - 1e-6);
-    return left < 1.001 * parameters.time_step ? left : parameters.time_step;
+      end_at(reversal);
+    const double left = end - now, wanted = step_control.next_step();
+    if (left < 1.001 * wanted)
+      return left;
+    // equal steps at the end, no small rest
+    return left < 2. * wanted ? left / 2. : wanted;
   }
 
 
@@ -173,38 +205,130 @@ namespace Catena
     if (state.now.configuration.shear_rate != shear_rate())
       result.flow_iterations = reverse_shear();
 
-    TimeStep step;
-    step.dt          = next_dt();
-    step.previous_dt = state.last_dt;
-
-    Level<dim> next;
-    next.time                         = state.now.time + step.dt;
-    next.configuration                = moved_particles(step);
-    result.remeshed                   = move_mesh(next);
-    const VectorType velocity_of_mesh = mesh_velocity(next, step);
-
-    const bool          last_held_step = held && next.time > -1e-6 * step.dt;
+    Level<dim>          next;
     std::vector<double> reactions;
-    next.flow = extrapolated_flow(step);
-    result.flow_iterations += solve_flow(next,
-                                         step,
-                                         velocity_of_mesh,
-                                         last_held_step ? &reactions : nullptr);
-    if (conformation_solver)
-      result.conformation_iterations =
-        solve_conformation(next, step, velocity_of_mesh);
+    while (!try_step(next, reactions, result))
+      run_report.count("rejected steps");
 
-    state.before  = std::move(state.now);
-    state.now     = std::move(next);
-    state.last_dt = step.dt;
+    const bool last_held_step = held && next.time > -same_strain;
+    state.before              = std::move(state.now);
+    state.now                 = std::move(next);
+    state.last_dt             = result.dt;
     if (last_held_step)
       let_go(reactions);
 
     run_report.count("flow iterations", result.flow_iterations);
     run_report.count("remeshes", result.remeshed ? 1 : 0);
-    result.dt      = step.dt;
     result.seconds = wall_clock() - begin;
     return result;
+  }
+
+
+
+  /**
+   * A step from the present state to @p next.
+   * @return whether it is good enough; if not, a shorter one is due
+   */
+  template <int dim>
+  bool
+  Simulation<dim>::try_step(Level<dim>          &next,
+                            std::vector<double> &reactions,
+                            StepReport          &report)
+  {
+    TimeStep step;
+    step.dt          = next_dt();
+    step.previous_dt = state.last_dt;
+    try
+      {
+        next               = Level<dim>();
+        next.time          = state.now.time + step.dt;
+        next.configuration = moved_particles(step);
+        if (move_mesh(next))
+          report.remeshed = true;
+        const VectorType velocity_of_mesh = mesh_velocity(next, step);
+
+        const bool last_held_step = held && next.time > -same_strain;
+        next.flow                 = extrapolated_flow(step);
+        report.flow_iterations += solve_flow(
+          next, step, velocity_of_mesh, last_held_step ? &reactions : nullptr);
+        if (conformation_solver)
+          report.conformation_iterations =
+            solve_conformation(next, step, velocity_of_mesh);
+        report.dt    = step.dt;
+        report.error = step_error(next, step);
+        return step_control.accept(step.dt, report.error);
+      }
+    catch (const SolverError &)
+      {
+        if (!step_control.shorten(step.dt))
+          throw;
+        flow_solver.renew_preconditioner();
+        return false;
+      }
+  }
+
+
+
+  /// Has a contact opened or closed in this step or in the last one?
+  template <int dim>
+  bool
+  Simulation<dim>::contacts_changed(const Level<dim> &next) const
+  {
+    const auto n_contacts = [](const Level<dim> &level) {
+      const std::vector<double> &forces = level.flow.contact_forces;
+      return std::count_if(forces.begin(),
+                           forces.end(),
+                           [](const double force) { return force > 0.; });
+    };
+    return n_contacts(next) != n_contacts(state.now) ||
+           n_contacts(state.now) != n_contacts(state.before);
+  }
+
+
+
+  /**
+   * The larger one of two local errors: that of the positions, by the
+   * difference of Adams-Bashforth and trapezoidal rule, and what the
+   * extrapolation of the log-conformation misses, times the step. The
+   * velocities jump where a contact opens or closes; there the gap is exact.
+   *
+   * @throws SolverError if the conformation changes too fast to be followed, or
+   * is not finite
+   */
+  template <int dim>
+  double
+  Simulation<dim>::step_error(const Level<dim> &next,
+                              const TimeStep   &step) const
+  {
+    const TwoLevelWeights weights = step.adams_bashforth();
+    // errors (2 dt + 3 dt') and -dt, times dt^2/12 and the third derivative
+    const double share = (2. * step.dt + 3. * step.previous_dt) /
+                         (3. * (step.dt + step.previous_dt));
+    double error_of_positions = 0.;
+    if (!held && !contacts_changed(next))
+      for (unsigned int i = 0; i < next.flow.motions.size(); ++i)
+        {
+          const Tensor<1, dim> &now = state.now.flow.motions[i].velocity;
+          Tensor<1, dim>        difference =
+            weights.b0 * now - (now + next.flow.motions[i].velocity) / 2.;
+          if (weights.b1 != 0.)
+            difference += weights.b1 * state.before.flow.motions[i].velocity;
+          error_of_positions =
+            std::max(error_of_positions, share * difference.norm());
+        }
+    ConformationChange change;
+    if (conformation_solver)
+      change = conformation_change<dim>(mesh(),
+                                        next.log_conformation,
+                                        extrapolated_log_conformation(step));
+    if (!(change.largest <= largest_change) ||
+        !std::isfinite(next.flow.velocity.l2_norm()))
+      throw SolverError(
+        "At strain " + std::to_string(next.time) +
+        " the log-conformation is off its extrapolation by " +
+        std::to_string(change.largest) +
+        " somewhere: use a smaller 'Time/Time step' or a finer mesh.");
+    return step.dt * std::max(error_of_positions, change.mean);
   }
 
 
@@ -249,7 +373,8 @@ namespace Catena
     state.last_dt = 0.;
 
     TimeStep step;
-    step.dt = parameters.time_step;
+    step_control.restart();
+    step.dt = step_control.next_step();
     return solve_flow(now, step, mesh().vector_field(), nullptr);
   }
 
@@ -428,19 +553,34 @@ namespace Catena
 
 
   template <int dim>
+  std::vector<VectorType>
+  Simulation<dim>::extrapolated_log_conformation(const TimeStep &step) const
+  {
+    const TwoLevelWeights weights = step.extrapolation();
+    const auto           &now     = state.now.log_conformation;
+    const auto           &before  = state.before.log_conformation;
+    // sized first: a vector copied when the list grows loses its ghost values
+    std::vector<VectorType> result(now.size());
+    for (unsigned int k = 0; k < now.size(); ++k)
+      result[k] =
+        weights.b1 != 0. ? combine(weights, now[k], before[k]) : now[k];
+    return result;
+  }
+
+
+
+  template <int dim>
   unsigned int
   Simulation<dim>::solve_conformation(Level<dim>       &next,
                                       const TimeStep   &step,
                                       const VectorType &mesh_velocity)
   {
-    const auto            timer   = run_report.time("conformation");
-    const TwoLevelWeights weights = step.extrapolation();
-    const auto           &now     = state.now.log_conformation;
-    const auto           &before  = state.before.log_conformation.empty() ?
-                                      now :
-                                      state.before.log_conformation;
-    for (unsigned int k = 0; k < now.size(); ++k)
-      next.log_conformation.push_back(combine(weights, now[k], before[k]));
+    const auto  timer     = run_report.time("conformation");
+    const auto &now       = state.now.log_conformation;
+    const auto &before    = state.before.log_conformation.empty() ?
+                              now :
+                              state.before.log_conformation;
+    next.log_conformation = extrapolated_log_conformation(step);
     return conformation_solver->solve(next.log_conformation,
                                       now,
                                       before,
@@ -461,6 +601,7 @@ namespace Catena
     state.now.time       = 0.;
     state.holding_forces = reactions;
     held                 = false;
+    step_control.restart();
     bodies.hold_in_place(false);
     for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)
       if (bodies.unknown(k).rotation)
@@ -476,7 +617,7 @@ namespace Catena
   {
     std::vector<double> forces = state.holding_forces;
     for (double &force : forces)
-      force *= held ? 0. : std::max(0., 1. - time);
+      force *= held ? 0. : std::max(0., 1. - time / ramp_end);
     return forces;
   }
 

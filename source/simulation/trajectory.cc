@@ -52,6 +52,7 @@ namespace Catena
       simulation.current_state().now.configuration.centres.size();
     table.declare("strain");
     table.declare("dt", "1/gamma");
+    table.declare("step_error");
     if (simulation.initial_scene().line)
       table.declare("theta", "deg");
     if (has_gap)
@@ -163,6 +164,7 @@ namespace Catena
     const Level<dim> &now = simulation.current_state().now;
     table.add("strain", now.time);
     table.add("dt", step.dt);
+    table.add("step_error", step.error);
     if (simulation.initial_scene().line)
       table.add("theta", now.configuration.frame_angle * 180. / numbers::PI);
     add_particles();

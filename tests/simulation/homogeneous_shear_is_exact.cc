@@ -34,7 +34,7 @@ make_parameters(const GiesekusParameters &fluid, const double dt)
 {
   SimulationParameters parameters;
   parameters.fluid.giesekus                = fluid;
-  parameters.time_step                     = dt;
+  parameters.step_control.time_step        = dt;
   parameters.mesh.maximal_size             = 1.;
   parameters.flow_solver.tolerance         = 1e-8;
   parameters.conformation_solver.tolerance = 1e-13;

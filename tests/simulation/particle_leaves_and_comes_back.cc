@@ -31,7 +31,7 @@ run_from(const double x)
   scene.particles = {{Point<2>(x, 1.5)}};
   SimulationParameters parameters;
   parameters.fluid.giesekus.weissenberg_number = 1.;
-  parameters.time_step                         = 0.1;
+  parameters.step_control.time_step            = 0.1;
   parameters.final_strain                      = 4.;
   parameters.mesh.elements_on_equator          = 32;
   parameters.mesh.elements_across_gap          = 1;

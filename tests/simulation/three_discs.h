@@ -43,7 +43,7 @@ namespace Catena
       parameters.fluid.giesekus.weissenberg_number = 1.;
       parameters.fluid.giesekus.mobility_parameter = 0.1;
       parameters.minimal_gap                       = 0.001;
-      parameters.time_step                         = dt;
+      parameters.step_control.time_step            = dt;
 
       parameters.mesh.elements_on_equator =
         std::lround(2. * dealii::numbers::PI / h);

@@ -50,7 +50,7 @@ simulate()
   const LineOfParticlesParameters scene(2);
   SimulationParameters            parameters;
   parameters.fluid.model              = FluidParameters::Model::newtonian;
-  parameters.time_step                = 0.08;
+  parameters.step_control.time_step   = 0.08;
   parameters.final_strain             = 6.4;
   parameters.mesh.elements_on_equator = 32;
   parameters.mesh.elements_across_gap = 2;

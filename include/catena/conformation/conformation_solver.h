@@ -4,6 +4,7 @@
 #include <catena/base/csr_access.h>
 #include <catena/base/time_history.h>
 #include <catena/base/types.h>
+#include <catena/conformation/tensor_identification.h>
 #include <catena/mesh/moving_mesh.h>
 #include <catena/rheology/giesekus.h>
 
@@ -40,14 +41,16 @@ namespace Catena
    * One step of the log-conformation s = log(c) on a moving mesh
    * (Hulsen, Fattal & Kupferman, J. Non-Newtonian Fluid Mech. 127 (2005) 27),
    *
-   *   (a0 s + a1 s^n + a2 s^(n-1))/dt + w.grad s = g(L, s^),
+   *   (a0 s + a1 s^n + a2 s^(n-1))/dt + w.grad s = g(L, s^) - k (s - s^),
    *
    * with w = u - u_mesh, L the gradient of the new velocity, s^ the
-   * extrapolation from the last two levels, and g the rate of
-   * Giesekus::log_conformation_rate(). P1 elements; streamline-upwind
+   * extrapolation from the last two levels, g the rate of
+   * Giesekus::log_conformation_rate() and k Giesekus::fastest_relaxation():
+   * where c is small in some direction, s relaxes there faster than g(L, s^)
+   * could follow in a time step. P1 elements; streamline-upwind
    * Petrov-Galerkin test functions
    *
-   *   v + tau w.grad v,  tau = ((a0/dt)^2 + (2|w|/h)^2)^(-1/2),
+   *   v + tau w.grad v,  tau = ((a0/dt + k)^2 + (2|w|/h)^2)^(-1/2),
    *
    * h being the element length along w. The operator is the same for all
    * components, so those with the same signs on identified planes share one
@@ -104,10 +107,7 @@ namespace Catena
     const ConformationSolverParameters  parameters;
     const MovingMesh<dim>              *mesh = nullptr;
     std::vector<std::unique_ptr<Group>> groups;
-    std::vector<unsigned int>           masters;
-
-    signed char
-    factor(const unsigned int vertex, const unsigned int component) const;
+    TensorIdentification<dim>           identification;
 
     void
     assemble(const std::vector<VectorType> &old,

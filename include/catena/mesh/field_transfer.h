@@ -4,17 +4,16 @@
 #include <catena/mesh/moving_mesh.h>
 #include <catena/mesh/point_locator.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <array>
 #include <vector>
 
 namespace Catena
 {
   /**
-   * Carries fields from one mesh to another, both at the same instant: the
-   * velocity and the pressure by interpolation at the nodes, the
-   * log-conformation by L2 projection with quadrature on the new mesh.
-   * Interpolation would cut the peaks of the stress beside the particles, and
-   * so change their angular velocities.
+   * Evaluates the fields of one mesh at the nodes and the quadrature points of
+   * another, both at the same instant.
    *
    * A point that lies outside of the old mesh is looked up at its image under
    * the symmetries of the scene, and the value turned back.
@@ -39,16 +38,20 @@ namespace Catena
     VectorType
     vector(const VectorType &field) const;
 
-    /// A P1 scalar field.
+    /// A P1 scalar field, which changes its sign under the rotation if @p odd.
     VectorType
-    scalar(const VectorType &field) const;
+    scalar(const VectorType &field, const bool odd = false) const;
 
-    /**
-     * The components of a symmetric P1 tensor field.
-     * @throws SolverError if the projection does not converge
-     */
+    /// The components of a symmetric P1 tensor field, by interpolation.
     std::vector<VectorType>
     tensor(const std::vector<VectorType> &components) const;
+
+    /**
+     * The values of a symmetric P1 tensor field at the points of
+     * CellValues<dim> of all cells of the target.
+     */
+    std::vector<dealii::SymmetricTensor<2, dim>>
+    tensor_at_points(const std::vector<VectorType> &components) const;
 
   private:
     static constexpr unsigned int n_nodes    = n_quadratic_nodes(dim);
@@ -77,15 +80,6 @@ namespace Catena
     /// Values of a P1 field at the vertices of all cells of the source.
     std::vector<std::array<double, n_vertices>>
     gather_vertex_values(const VectorType &field) const;
-
-    /**
-     * Project the tensor components @p selected, which have the same factors
-     * at identified vertices.
-     */
-    void
-    project(const std::vector<VectorType>   &components,
-            const std::vector<unsigned int> &selected,
-            std::vector<VectorType>         &result) const;
   };
 } // namespace Catena
 

@@ -118,6 +118,15 @@ namespace Catena
                           const SpectralDecomposition<dim> &d) const;
 
     /**
+     * The largest rate at which a small change of s = log(c) relaxes, by the
+     * derivative of the relaxation in g(L, s) by the eigenvalues of s,
+     * @f$ \max_i \left( (1-\alpha) e^{-s_i} + \alpha e^{s_i} \right) /
+     * \lambda @f$; in units of gamma.
+     */
+    double
+    fastest_relaxation(const SpectralDecomposition<dim> &d) const;
+
+    /**
      * The polymer stress tau = G (c - I), in units of eta0 gamma.
      */
     dealii::SymmetricTensor<2, dim>
@@ -242,6 +251,18 @@ namespace Catena
           g[i][j] = quotient * (l[i][j] * inverse + l[j][i] * e);
         }
     return from_frame(g, d.vectors);
+  }
+
+
+
+  template <int dim>
+  inline double
+  Giesekus<dim>::fastest_relaxation(const SpectralDecomposition<dim> &d) const
+  {
+    double rate = 0.;
+    for (const double s : d.values)
+      rate = std::max(rate, (1. - alpha) * std::exp(-s) + alpha * std::exp(s));
+    return rate / lambda;
   }
 
 

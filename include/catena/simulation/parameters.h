@@ -6,6 +6,7 @@
 #include <catena/flow/nonlinear_flow_solver.h>
 #include <catena/mesh/mesher.h>
 #include <catena/rheology/fluid_parameters.h>
+#include <catena/simulation/step_control.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -25,12 +26,14 @@ namespace Catena
     /// d_min: the smallest gap between particles, divided by the diameter
     double minimal_gap = 0.02;
 
-    double time_step    = 0.08;
-    double final_strain = 50.;
+    StepControlParameters step_control;
+    double                final_strain = 50.;
     /// strains at which the walls change their direction
     std::vector<double> reversal_strains;
 
     MeshParameters mesh;
+    /// elements in a narrow gap are up to this much longer than high
+    double gap_stretch = 4.;
     /// remesh below this fraction of the quality of a new mesh
     double remesh_quality = 0.35;
     /// remesh below this fraction of the wanted elements across a gap

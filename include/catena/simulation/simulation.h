@@ -6,6 +6,7 @@
 #include <catena/simulation/parameters.h>
 #include <catena/simulation/remesher.h>
 #include <catena/simulation/state.h>
+#include <catena/simulation/step_control.h>
 
 #include <functional>
 #include <memory>
@@ -17,7 +18,9 @@ namespace Catena
    */
   struct StepReport
   {
-    double       dt                      = 0.;
+    double dt = 0.;
+    /// local error, see StepControl
+    double       error                   = 0.;
     unsigned int flow_iterations         = 0;
     unsigned int conformation_iterations = 0;
     bool         remeshed                = false;
@@ -59,7 +62,9 @@ namespace Catena
     initialize();
 
     /**
-     * One time step.
+     * One time step. A step that fails or has too large an error is repeated
+     * with a shorter one.
+     * @throws SolverError if it fails with the shortest step, MeshError
      */
     StepReport
     advance();
@@ -138,6 +143,7 @@ namespace Catena
     FlowSolver<dim>                           flow_solver;
     std::unique_ptr<NonlinearFlowSolver<dim>> nonlinear_solver;
     std::unique_ptr<ConformationSolver<dim>>  conformation_solver;
+    StepControl                               step_control;
     State<dim>                                state;
     RunReport                                 run_report;
     bool                                      held             = false;
@@ -147,8 +153,22 @@ namespace Catena
     bool
     starts_held() const;
 
+    bool
+    ramped() const;
+
     double
     next_dt() const;
+
+    bool
+    try_step(Level<dim>          &next,
+             std::vector<double> &reactions,
+             StepReport          &report);
+
+    bool
+    contacts_changed(const Level<dim> &next) const;
+
+    double
+    step_error(const Level<dim> &next, const TimeStep &step) const;
 
     double
     shear_rate() const;
@@ -173,6 +193,9 @@ namespace Catena
                const TimeStep      &step,
                const VectorType    &mesh_velocity,
                std::vector<double> *reactions);
+
+    std::vector<VectorType>
+    extrapolated_log_conformation(const TimeStep &step) const;
 
     unsigned int
     solve_conformation(Level<dim>       &next,

@@ -1,0 +1,54 @@
+#include <catena/conformation/tensor_identification.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+
+namespace Catena
+{
+  using namespace dealii;
+
+  template <int dim>
+  TensorIdentification<dim>::TensorIdentification(const MovingMesh<dim> &mesh)
+    : masters(mesh.scalar_dofs().n_dofs(), 0)
+  {
+    for (auto &factors : component_factors)
+      factors.assign(masters.size(), 0);
+    const NodeIdentification &identification = mesh.identification();
+    for (const auto vertex : mesh.relevant_scalars())
+      {
+        const unsigned int node = mesh.node_of_vertex(vertex);
+        masters[vertex] = mesh.vertex_of_node(identification.master(node));
+        for (unsigned int k = 0; k < component_factors.size(); ++k)
+          {
+            const auto ij =
+              SymmetricTensor<2, dim>::unrolled_to_component_indices(k);
+            const bool odd_in_z = (ij[0] < 2) != (ij[1] < 2);
+            if (!odd_in_z || !mesh.on_mirror(node))
+              component_factors[k][vertex] = static_cast<signed char>(
+                identification.template tensor_factor<dim>(node, k));
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  VectorType
+  TensorIdentification<dim>::field(const unsigned int     component,
+                                   const MovingMesh<dim> &mesh,
+                                   const VectorType      &values) const
+  {
+    VectorType of_masters = mesh.scalar_field();
+    of_masters.copy_locally_owned_data_from(values);
+    of_masters.update_ghost_values();
+    VectorType result = mesh.scalar_field();
+    for (const auto i : mesh.owned_scalars())
+      result(i) = factor(component, i) * of_masters(masters[i]);
+    result.update_ghost_values();
+    return result;
+  }
+
+
+
+  template class TensorIdentification<2>;
+  template class TensorIdentification<3>;
+} // namespace Catena
