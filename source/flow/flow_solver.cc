@@ -131,7 +131,7 @@ namespace Catena
                        last_force);
     preconditioner_is_fresh = preconditioner_is_due;
     if (preconditioner_is_due)
-      preconditioner.initialize(*matrices);
+      preconditioner.initialize(*mesh, couplings, *matrices);
     preconditioner_is_due = false;
   }
 
