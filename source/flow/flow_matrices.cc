@@ -97,6 +97,9 @@ namespace Catena
         pressure_rigid_access =
           CsrAccess(pressure_rigid, mesh.owned_scalars(), rigid_relevant);
       }
+    velocity_product   = BlockProduct<dim, dim>(velocity);
+    gradient_product   = BlockProduct<dim, 1>(gradient);
+    divergence_product = BlockProduct<1, dim>(divergence);
     make_component_matrices(couplings, sparsity.nodes);
     find_offsets(couplings);
   }

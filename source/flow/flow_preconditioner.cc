@@ -163,7 +163,7 @@ namespace Catena
 
         response = 0.;
         IterationNumberControl control(response_iterations(n), 1e-12);
-        SolverGMRES<VectorType>(control).solve(matrices->velocity,
+        SolverGMRES<VectorType>(control).solve(matrices->velocity_product,
                                                response,
                                                column,
                                                cycle);
@@ -222,7 +222,7 @@ namespace Catena
 
     velocity_src = src.block(0);
     velocity_src *= -1.;
-    matrices->gradient.vmult_add(velocity_src, dst.block(1));
+    matrices->gradient_product.vmult_add(velocity_src, dst.block(1));
     velocity_src *= -1.;
     solve_velocity(dst.block(0), velocity_src);
 

@@ -3,6 +3,7 @@
 
 #include <catena/base/csr_access.h>
 #include <catena/base/types.h>
+#include <catena/flow/block_product.h>
 #include <catena/flow/flow_element.h>
 #include <catena/flow/node_couplings.h>
 #include <catena/flow/stress_model.h>
@@ -76,6 +77,11 @@ namespace Catena
     dealii::TrilinosWrappers::SparseMatrix velocity, gradient, divergence,
       velocity_rigid, rigid_velocity_transposed, pressure_rigid;
     dealii::FullMatrix<double> rigid_rigid;
+
+    /// Products with the large blocks.
+    BlockProduct<dim, dim> velocity_product;
+    BlockProduct<dim, 1>   gradient_product;
+    BlockProduct<1, dim>   divergence_product;
 
     /// Right-hand sides f, g; h is the same on every rank.
     VectorType          velocity_rhs, pressure_rhs;
