@@ -35,7 +35,7 @@ namespace Catena
     unsigned int
     response_iterations(const unsigned int n_rigid)
     {
-      return n_rigid <= 12 ? 4 : 1;
+      return n_rigid <= 12 ? 2 : 1;
     }
   } // namespace
 
@@ -218,7 +218,7 @@ namespace Catena
                                  const BlockVectorType &src) const
   {
     mass_inverse.vmult(pressure_dst, src.block(1));
-    dst.block(1).equ(-1., pressure_dst);
+    dst.block(1).equ(-2., pressure_dst);
 
     velocity_src = src.block(0);
     velocity_src *= -1.;

@@ -16,13 +16,16 @@ namespace Catena
   /**
    * Block upper triangular preconditioner of the system of FlowMatrices,
    *
-   *   p = -M^-1 g,   (u, r, F_r) = K^-1 (f - B^T p, h - D^T p, ...),
+   *   p = -2 M^-1 g,   (u, r, F_r) = K^-1 (f - B^T p, h - D^T p, ...),
    *
    * with M the pressure mass matrix scaled by the fluidity (four Chebyshev
-   * sweeps). K^-1 is one cycle of NodeMultigrid on the scalar operator of the
-   * velocity components, which includes the tensor viscosity; the
-   * rigid-body unknowns, whose rows are too dense for multigrid, and the
-   * contact forces are eliminated by their small Schur complement.
+   * sweeps). Of a gradient, the velocity block A is twice the viscous operator
+   * of a component, int (L H + H L^T) : grad v = 2 int L H : grad v, which is
+   * why B A^-1 B^T is nearer to M / 2 than to M. K^-1 is one cycle of
+   * NodeMultigrid on the scalar operator of the velocity components, which
+   * includes the tensor viscosity; the rigid-body unknowns, whose rows are too
+   * dense for multigrid, and the contact forces are eliminated by their small
+   * Schur complement.
    *
    * The matrices are copied where they change from step to step: it can be
    * kept for many steps.

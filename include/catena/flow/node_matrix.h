@@ -142,20 +142,21 @@ namespace Catena
     Lanes
     row_times(const unsigned int i, const Lanes *src) const
     {
-      const unsigned int end     = rows.starts[i + 1];
-      unsigned int       k       = rows.starts[i];
-      const unsigned    *columns = rows.columns.data();
-      const float       *values  = rows.values.data();
-      // two sums, lest each addition wait for the one before
-      Lanes even = {}, odd = {};
-      for (; k + 1 < end; k += 2)
+      const unsigned int       *column = rows.columns.data() + rows.starts[i];
+      const float              *value  = rows.values.data() + rows.starts[i];
+      const unsigned int *const end = rows.columns.data() + rows.starts[i + 1];
+      // four sums, lest each addition wait for the one before
+      Lanes sum = {}, sum_1 = {}, sum_2 = {}, sum_3 = {};
+      for (; end - column >= 4; column += 4, value += 4)
         {
-          even += values[k] * src[columns[k]];
-          odd += values[k + 1] * src[columns[k + 1]];
+          sum += value[0] * src[column[0]];
+          sum_1 += value[1] * src[column[1]];
+          sum_2 += value[2] * src[column[2]];
+          sum_3 += value[3] * src[column[3]];
         }
-      if (k < end)
-        even += values[k] * src[columns[k]];
-      return even + odd;
+      for (; column != end; ++column, ++value)
+        sum += *value * src[*column];
+      return (sum + sum_1) + (sum_2 + sum_3);
     }
 
     /// dst += A^T src, where the sums of ghosts are left to be compressed.
