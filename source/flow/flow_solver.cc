@@ -312,13 +312,16 @@ namespace Catena
   {
     preconditioner.set_contacts(contacts);
     const FlowOperator<dim> system{*matrices, contacts};
-    earlier_solutions.improve(system, rhs, solution);
+    const bool is_of_an_instant = wanted_residual == 0.;
+    if (is_of_an_instant)
+      earlier_solutions.improve(system, rhs, solution);
     SolverControl control(parameters.max_iterations, target(rhs));
     typename SolverFGMRES<BlockVectorType>::AdditionalData data(100);
     SolverFGMRES<BlockVectorType>(control, data)
       .solve(system, solution, rhs, preconditioner);
     decades = std::log10(control.initial_value() / control.last_value());
-    earlier_solutions.remember(solution);
+    if (is_of_an_instant)
+      earlier_solutions.remember(solution);
     return control.last_step();
   }
 

@@ -126,7 +126,9 @@ namespace Catena
 
     /**
      * Residual to which the coming solves go, in place of the tolerance of the
-     * parameters; 0: that tolerance again.
+     * parameters; 0: that tolerance again. As steps of a nonlinear iteration
+     * they start from the first guess as it is: one made of earlier steps can
+     * have a residual so small that nothing would be left to solve.
      */
     void
     solve_to(const double residual)
