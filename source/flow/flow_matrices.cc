@@ -97,6 +97,9 @@ namespace Catena
         pressure_rigid_access =
           CsrAccess(pressure_rigid, mesh.owned_scalars(), rigid_relevant);
       }
+    velocity_product   = BlockProduct<dim, dim>(velocity);
+    gradient_product   = BlockProduct<dim, 1>(gradient);
+    divergence_product = BlockProduct<1, dim>(divergence);
     make_component_matrices(couplings, sparsity.nodes);
     find_offsets(couplings);
   }
@@ -144,6 +147,27 @@ namespace Catena
 
 
 
+  /// Has a component the factors of others wherever both have an unknown?
+  template <int dim>
+  bool
+  FlowMatrices<dim>::share_operator(
+    const std::vector<unsigned int>      &components,
+    const unsigned int                    component,
+    const std::vector<NodeCoupling<dim>> &couplings) const
+  {
+    bool equal = true;
+    for (const auto node : mesh.relevant_nodes())
+      for (const unsigned int d : components)
+        {
+          const double product =
+            couplings[node].factors[d] * couplings[node].factors[component];
+          equal &= product >= 0.;
+        }
+    return Utilities::MPI::min(equal ? 1 : 0, mesh.communicator()) == 1;
+  }
+
+
+
   template <int dim>
   void
   FlowMatrices<dim>::make_component_matrices(
@@ -152,24 +176,24 @@ namespace Catena
   {
     for (unsigned int d = 0; d < dim; ++d)
       {
-        int as_before = d > 0 ? 1 : 0;
-        for (const auto node : mesh.relevant_nodes())
-          if (d > 0 &&
-              couplings[node].factors[d] != couplings[node].factors[d - 1])
-            as_before = 0;
-        if (Utilities::MPI::min(as_before, mesh.communicator()) == 0)
-          {
-            auto component = std::make_unique<ComponentMatrix>();
-            component->matrix.reinit(mesh.owned_nodes(),
-                                     mesh.owned_nodes(),
-                                     nodes,
-                                     mesh.communicator());
-            component->access = CsrAccess(component->matrix,
-                                          mesh.owned_nodes(),
-                                          mesh.relevant_nodes());
-            component_matrices.push_back(std::move(component));
-          }
-        component_matrices.back()->components.push_back(d);
+        bool is_new = true;
+        for (const auto &group : component_matrices)
+          if (is_new && share_operator(group->components, d, couplings))
+            {
+              group->components.push_back(d);
+              is_new = false;
+            }
+        if (!is_new)
+          continue;
+        auto group = std::make_unique<ComponentMatrix>();
+        group->components.push_back(d);
+        group->matrix.reinit(mesh.owned_nodes(),
+                             mesh.owned_nodes(),
+                             nodes,
+                             mesh.communicator());
+        group->access =
+          CsrAccess(group->matrix, mesh.owned_nodes(), mesh.relevant_nodes());
+        component_matrices.push_back(std::move(group));
       }
   }
 
@@ -412,11 +436,13 @@ namespace Catena
       }
     for (const auto &component : component_matrices)
       {
-        const unsigned int d = component->components[0];
+        std::array<double, FlowElement<dim>::n_nodes> factors;
+        for (unsigned int a = 0; a < FlowElement<dim>::n_nodes; ++a)
+          factors[a] = component->factor(*element.couplings[a]);
         for (unsigned int a = 0; a < FlowElement<dim>::n_nodes; ++a)
           {
             const NodeCoupling<dim> &test = *element.couplings[a];
-            if (test.factors[d] == 0.)
+            if (factors[a] == 0.)
               continue;
             const int row = component->access.row(test.master);
             if (row == CsrAccess::absent)
@@ -424,10 +450,10 @@ namespace Catena
             for (unsigned int b = 0; b < FlowElement<dim>::n_nodes; ++b)
               {
                 const NodeCoupling<dim> &trial = *element.couplings[b];
-                if (trial.factors[d] != 0.)
+                if (factors[b] != 0.)
                   component->access.add(row,
                                         component->access.column(trial.master),
-                                        test.factors[d] * trial.factors[d] *
+                                        factors[a] * factors[b] *
                                           element.component[a][b]);
               }
           }
@@ -455,8 +481,7 @@ namespace Catena
             fix(velocity_access, dim * node + d);
         if (with_preconditioner)
           for (const auto &component : component_matrices)
-            if (coupling.master != node ||
-                coupling.factors[component->components[0]] == 0.)
+            if (coupling.master != node || component->factor(coupling) == 0.)
               fix(component->access, node);
       }
     if (with_preconditioner)

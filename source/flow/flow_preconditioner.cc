@@ -1,4 +1,5 @@
 #include <catena/flow/flow_preconditioner.h>
+#include <catena/flow/vertex_interpolation.h>
 
 #include <deal.II/lac/solver_gmres.h>
 
@@ -34,7 +35,31 @@ namespace Catena
     unsigned int
     response_iterations(const unsigned int n_rigid)
     {
-      return n_rigid <= 12 ? 4 : 1;
+      return n_rigid <= 12 ? 2 : 1;
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    /// The rows of this rank in single precision.
+    SparseRows
+    owned_rows(const TrilinosWrappers::SparseMatrix &matrix)
+    {
+      const Epetra_CrsMatrix &epetra = matrix.trilinos_matrix();
+      SparseRows              rows;
+      for (int i = 0; i < epetra.NumMyRows(); ++i)
+        {
+          int     n;
+          int    *columns;
+          double *values;
+          epetra.ExtractMyRowView(i, n, values, columns);
+          for (int k = 0; k < n; ++k)
+            rows.add(epetra.ColMap().GID(columns[k]), values[k]);
+          rows.end_row();
+        }
+      return rows;
     }
   } // namespace
 
@@ -53,26 +78,26 @@ namespace Catena
 
   template <int dim>
   void
-  FlowPreconditioner<dim>::initialize(const FlowMatrices<dim> &new_matrices)
+  FlowPreconditioner<dim>::initialize(
+    const MovingMesh<dim>                &mesh,
+    const std::vector<NodeCoupling<dim>> &couplings,
+    const FlowMatrices<dim>              &new_matrices)
   {
     matrices = &new_matrices;
 
-    velocity_components.clear();
-    for (const auto &component : matrices->component_matrices)
+    groups.clear();
+    for (const auto &group : matrices->component_matrices)
       {
-        TrilinosWrappers::PreconditionAMG::AdditionalData data;
-        data.elliptic              = true;
-        data.smoother_sweeps       = 3;
-        data.aggregation_threshold = 0.;
-        auto multigrid = std::make_unique<TrilinosWrappers::PreconditionAMG>();
-        multigrid->initialize(component->matrix, data);
-        velocity_components.push_back(
-          {component->components, std::move(multigrid)});
+        const VertexInterpolation<dim> interpolation(mesh,
+                                                     couplings,
+                                                     group->components);
+        groups.push_back({group->components,
+                          NodeMultigrid(owned_rows(group->matrix),
+                                        interpolation.node_masks,
+                                        interpolation.prolongation,
+                                        interpolation.vertex_masks,
+                                        mesh.communicator())});
       }
-    const auto &nodes = matrices->component_matrices.front()->matrix;
-    node_src.reinit(nodes.locally_owned_domain_indices(),
-                    nodes.get_mpi_communicator());
-    node_dst.reinit(node_src);
     velocity_src.reinit(matrices->velocity_rhs);
     pressure_src.reinit(matrices->pressure_rhs);
     pressure_dst.reinit(matrices->pressure_rhs);
@@ -138,7 +163,7 @@ namespace Catena
 
         response = 0.;
         IterationNumberControl control(response_iterations(n), 1e-12);
-        SolverGMRES<VectorType>(control).solve(matrices->velocity,
+        SolverGMRES<VectorType>(control).solve(matrices->velocity_product,
                                                response,
                                                column,
                                                cycle);
@@ -181,16 +206,8 @@ namespace Catena
   FlowPreconditioner<dim>::solve_velocity(VectorType       &dst,
                                           const VectorType &src) const
   {
-    const unsigned int n = node_src.locally_owned_size();
-    for (const Component &component : velocity_components)
-      for (const unsigned int d : component.components)
-        {
-          for (unsigned int i = 0; i < n; ++i)
-            node_src.local_element(i) = src.local_element(dim * i + d);
-          component.multigrid->vmult(node_dst, node_src);
-          for (unsigned int i = 0; i < n; ++i)
-            dst.local_element(dim * i + d) = node_dst.local_element(i);
-        }
+    for (const ComponentGroup &group : groups)
+      group.multigrid.vmult(dst, src, group.components, dim);
   }
 
 
@@ -201,11 +218,11 @@ namespace Catena
                                  const BlockVectorType &src) const
   {
     mass_inverse.vmult(pressure_dst, src.block(1));
-    dst.block(1).equ(-1., pressure_dst);
+    dst.block(1).equ(-2., pressure_dst);
 
     velocity_src = src.block(0);
     velocity_src *= -1.;
-    matrices->gradient.vmult_add(velocity_src, dst.block(1));
+    matrices->gradient_product.vmult_add(velocity_src, dst.block(1));
     velocity_src *= -1.;
     solve_velocity(dst.block(0), velocity_src);
 

@@ -76,6 +76,7 @@ namespace Catena
     couplings = node_couplings<dim>(*mesh, velocity_lines);
     matrices  = std::make_unique<FlowMatrices<dim>>(*mesh, *bodies, couplings);
     preconditioner_is_due = true;
+    earlier_solutions.clear();
   }
 
 
@@ -89,6 +90,7 @@ namespace Catena
     set_configuration(new_configuration);
     last_stress = &stress;
     last_force  = body_force;
+    earlier_solutions.begin_instant();
     assemble_matrices();
   }
 
@@ -131,7 +133,7 @@ namespace Catena
                        last_force);
     preconditioner_is_fresh = preconditioner_is_due;
     if (preconditioner_is_due)
-      preconditioner.initialize(*matrices);
+      preconditioner.initialize(*mesh, couplings, *matrices);
     preconditioner_is_due = false;
   }
 
@@ -310,11 +312,16 @@ namespace Catena
   {
     preconditioner.set_contacts(contacts);
     const FlowOperator<dim> system{*matrices, contacts};
-    SolverControl           control(parameters.max_iterations, target(rhs));
+    const bool is_of_an_instant = wanted_residual == 0.;
+    if (is_of_an_instant)
+      earlier_solutions.improve(system, rhs, solution);
+    SolverControl control(parameters.max_iterations, target(rhs));
     typename SolverFGMRES<BlockVectorType>::AdditionalData data(100);
     SolverFGMRES<BlockVectorType>(control, data)
       .solve(system, solution, rhs, preconditioner);
     decades = std::log10(control.initial_value() / control.last_value());
+    if (is_of_an_instant)
+      earlier_solutions.remember(solution);
     return control.last_step();
   }
 

@@ -3,6 +3,7 @@
 
 #include <catena/base/csr_access.h>
 #include <catena/base/types.h>
+#include <catena/flow/block_product.h>
 #include <catena/flow/flow_element.h>
 #include <catena/flow/node_couplings.h>
 #include <catena/flow/stress_model.h>
@@ -77,6 +78,11 @@ namespace Catena
       velocity_rigid, rigid_velocity_transposed, pressure_rigid;
     dealii::FullMatrix<double> rigid_rigid;
 
+    /// Products with the large blocks.
+    BlockProduct<dim, dim> velocity_product;
+    BlockProduct<dim, 1>   gradient_product;
+    BlockProduct<1, dim>   divergence_product;
+
     /// Right-hand sides f, g; h is the same on every rank.
     VectorType          velocity_rhs, pressure_rhs;
     std::vector<double> rigid_rhs;
@@ -87,13 +93,26 @@ namespace Catena
 
     /**
      * Scalar operators int grad v . (H grad u) on the nodes, one for each
-     * group of velocity components with the same constraints.
+     * group of velocity components. In a group the factors of a node are the
+     * same, but for components that have no unknown there: the operator of
+     * such a component is the group's without the rows and columns of these
+     * nodes.
      */
     struct ComponentMatrix
     {
       std::vector<unsigned int>              components;
       dealii::TrilinosWrappers::SparseMatrix matrix;
       CsrAccess                              access;
+
+      /// Factor of a node, 0 if no component has an unknown there.
+      double
+      factor(const NodeCoupling<dim> &coupling) const
+      {
+        for (const unsigned int d : components)
+          if (coupling.factors[d] != 0.)
+            return coupling.factors[d];
+        return 0.;
+      }
     };
     std::vector<std::unique_ptr<ComponentMatrix>> component_matrices;
 
@@ -129,6 +148,11 @@ namespace Catena
 
     void
     make_patterns(const std::vector<NodeCoupling<dim>> &couplings);
+
+    bool
+    share_operator(const std::vector<unsigned int>      &components,
+                   const unsigned int                    component,
+                   const std::vector<NodeCoupling<dim>> &couplings) const;
 
     void
     make_component_matrices(const std::vector<NodeCoupling<dim>> &couplings,

@@ -2,11 +2,11 @@
 #define catena_flow_flow_preconditioner_h
 
 #include <catena/flow/flow_matrices.h>
+#include <catena/flow/node_multigrid.h>
 #include <catena/particles/acting_contacts.h>
 
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/precondition.h>
-#include <deal.II/lac/trilinos_precondition.h>
 
 #include <memory>
 #include <vector>
@@ -16,13 +16,16 @@ namespace Catena
   /**
    * Block upper triangular preconditioner of the system of FlowMatrices,
    *
-   *   p = -M^-1 g,   (u, r, F_r) = K^-1 (f - B^T p, h - D^T p, ...),
+   *   p = -2 M^-1 g,   (u, r, F_r) = K^-1 (f - B^T p, h - D^T p, ...),
    *
    * with M the pressure mass matrix scaled by the fluidity (four Chebyshev
-   * sweeps). K^-1 is one algebraic multigrid cycle on the scalar operator of
-   * each velocity component, which includes the tensor viscosity; the
-   * rigid-body unknowns, whose rows are too dense for multigrid, and the
-   * contact forces are eliminated by their small Schur complement.
+   * sweeps). Of a gradient, the velocity block A is twice the viscous operator
+   * of a component, int (L H + H L^T) : grad v = 2 int L H : grad v, which is
+   * why B A^-1 B^T is nearer to M / 2 than to M. K^-1 is one cycle of
+   * NodeMultigrid on the scalar operator of the velocity components, which
+   * includes the tensor viscosity; the rigid-body unknowns, whose rows are too
+   * dense for multigrid, and the contact forces are eliminated by their small
+   * Schur complement.
    *
    * The matrices are copied where they change from step to step: it can be
    * kept for many steps.
@@ -33,7 +36,9 @@ namespace Catena
   public:
     /// Set up from newly assembled matrices.
     void
-    initialize(const FlowMatrices<dim> &matrices);
+    initialize(const MovingMesh<dim>                &mesh,
+               const std::vector<NodeCoupling<dim>> &couplings,
+               const FlowMatrices<dim>              &matrices);
 
     /// Take over the contacts; cheap.
     void
@@ -54,10 +59,10 @@ namespace Catena
     }
 
   private:
-    struct Component
+    struct ComponentGroup
     {
-      std::vector<unsigned int>                                  components;
-      std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> multigrid;
+      std::vector<unsigned int> components;
+      NodeMultigrid             multigrid;
     };
 
     using MassInverse =
@@ -65,16 +70,15 @@ namespace Catena
                                     VectorType,
                                     dealii::DiagonalMatrix<VectorType>>;
 
-    const FlowMatrices<dim> *matrices = nullptr;
-    std::vector<Component>   velocity_components;
-    MassInverse              mass_inverse;
+    const FlowMatrices<dim>    *matrices = nullptr;
+    std::vector<ComponentGroup> groups;
+    MassInverse                 mass_inverse;
 
     /// A^-1 C, approximately, and the Schur complement S - R A^-1 C
     std::vector<VectorType>    rigid_responses;
     dealii::FullMatrix<double> rigid_schur, small_inverse;
 
-    mutable VectorType node_src, node_dst, velocity_src, pressure_dst,
-      pressure_src, rigid_src;
+    mutable VectorType velocity_src, pressure_dst, pressure_src, rigid_src;
 
     void
     solve_velocity(VectorType &dst, const VectorType &src) const;

@@ -1,6 +1,7 @@
 #ifndef catena_flow_flow_solver_h
 #define catena_flow_flow_solver_h
 
+#include <catena/flow/earlier_solutions.h>
 #include <catena/flow/flow_matrices.h>
 #include <catena/flow/flow_preconditioner.h>
 #include <catena/particles/contacts.h>
@@ -73,10 +74,10 @@ namespace Catena
    *   force and torque of the fluid + F_external + F_r = 0,
    *
    * for the disturbance of the imposed shear flow, by FGMRES with
-   * FlowPreconditioner. The matrices' sparsity is kept as long as the mesh is.
-   * The preconditioner is kept until the iterations lost since it was made,
-   * against its best solve by decades of the residual, would have paid for a
-   * new one.
+   * FlowPreconditioner, from a first guess improved by EarlierSolutions. The
+   * matrices' sparsity is kept as long as the mesh is. The preconditioner is
+   * kept until the iterations lost since it was made, against its best solve by
+   * decades of the residual, would have paid for a new one.
    */
   template <int dim>
   class FlowSolver
@@ -125,7 +126,9 @@ namespace Catena
 
     /**
      * Residual to which the coming solves go, in place of the tolerance of the
-     * parameters; 0: that tolerance again.
+     * parameters; 0: that tolerance again. As steps of a nonlinear iteration
+     * they start from the first guess as it is: one made of earlier steps can
+     * have a residual so small that nothing would be left to solve.
      */
     void
     solve_to(const double residual)
@@ -181,6 +184,7 @@ namespace Catena
     std::vector<NodeCoupling<dim>>     couplings;
     std::unique_ptr<FlowMatrices<dim>> matrices;
     FlowPreconditioner<dim>            preconditioner;
+    EarlierSolutions<dim>              earlier_solutions;
     bool preconditioner_is_due = true, preconditioner_is_fresh = false;
     /// iterations for a decade of the residual; their excess over the best
     double best_rate = 0., iterations_lost = 0.;

@@ -1,0 +1,50 @@
+#ifndef catena_flow_earlier_solutions_h
+#define catena_flow_earlier_solutions_h
+
+#include <catena/base/types.h>
+#include <catena/flow/flow_operator.h>
+
+#include <deque>
+
+namespace Catena
+{
+  /**
+   * Solutions x_1, x_2, ... of the instants before, by which a first guess x_0
+   * is improved (Fischer, Comput. Methods Appl. Mech. Engrg. 163, 1998): of all
+   *
+   *   x = x_0 + sum_i alpha_i (x_i - x_0)
+   *
+   * it becomes the one with the smallest residual |b - A x|. That is at least
+   * as good as every extrapolation in time through these solutions, and costs
+   * one product with A for each.
+   */
+  template <int dim>
+  class EarlierSolutions
+  {
+  public:
+    /// Forget all.
+    void
+    clear();
+
+    /// What is remembered from now on belongs to another instant.
+    void
+    begin_instant();
+
+    /// The solution of this instant, in place of what it had before.
+    void
+    remember(const BlockVectorType &solution);
+
+    /// Contact forces stay those of @p guess.
+    void
+    improve(const FlowOperator<dim> &system,
+            const BlockVectorType   &rhs,
+            BlockVectorType         &guess) const;
+
+  private:
+    /// newest first; velocity, pressure and rigid-body motions
+    std::deque<BlockVectorType> solutions;
+    bool                        newest_is_of_this_instant = false;
+  };
+} // namespace Catena
+
+#endif

@@ -1,0 +1,197 @@
+#ifndef catena_flow_node_matrix_h
+#define catena_flow_node_matrix_h
+
+#include <deal.II/base/partitioner.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <memory>
+#include <vector>
+
+namespace Catena
+{
+  /**
+   * The values of up to four fields at a node. The compiler keeps them in one
+   * register, so that a sweep over a matrix does for all fields what it costs
+   * for one.
+   */
+  using Lanes = float __attribute__((vector_size(16), may_alias));
+
+  constexpr unsigned int n_lanes = 4;
+
+  /// Up to four fields, interleaved node by node, in single precision.
+  using NodeVector = dealii::LinearAlgebra::distributed::Vector<float>;
+
+  inline Lanes *
+  lanes(NodeVector &vector)
+  {
+    return reinterpret_cast<Lanes *>(vector.begin());
+  }
+
+  inline const Lanes *
+  lanes(const NodeVector &vector)
+  {
+    return reinterpret_cast<const Lanes *>(vector.begin());
+  }
+
+
+
+  /**
+   * Consecutive rows of a sparse matrix, the columns in global numbers.
+   */
+  struct SparseRows
+  {
+    std::vector<unsigned int> starts = {0};
+    std::vector<unsigned int> columns;
+    std::vector<float>        values;
+
+    unsigned int
+    size() const
+    {
+      return starts.size() - 1;
+    }
+
+    void
+    add(const unsigned int column, const float value)
+    {
+      columns.push_back(column);
+      values.push_back(value);
+    }
+
+    void
+    end_row()
+    {
+      starts.push_back(columns.size());
+    }
+
+    /// Append row @p i of @p other.
+    void
+    append(const SparseRows &other, const unsigned int i)
+    {
+      for (unsigned int k = other.starts[i]; k < other.starts[i + 1]; ++k)
+        add(other.columns[k], other.values[k]);
+      end_row();
+    }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &starts &columns &values;
+    }
+  };
+
+
+
+  /**
+   * A sparse matrix in single precision between the nodes of two levels, the
+   * same for all fields, with its rows distributed over the ranks.
+   */
+  class NodeMatrix
+  {
+  public:
+    using Partitioner = dealii::Utilities::MPI::Partitioner;
+
+    NodeMatrix() = default;
+
+    /**
+     * @param rows the rows of this rank
+     * @param nodes the nodes that are the columns; those of other ranks in
+     * @p rows are among its ghosts
+     */
+    NodeMatrix(SparseRows rows, std::shared_ptr<const Partitioner> nodes);
+
+    unsigned int
+    n_rows() const
+    {
+      return rows.size();
+    }
+
+    /// The nodes that are the columns.
+    const Partitioner &
+    column_nodes() const
+    {
+      return *nodes;
+    }
+
+    /// The range of the entries of row @p i.
+    std::pair<unsigned int, unsigned int>
+    row(const unsigned int i) const
+    {
+      return {rows.starts[i], rows.starts[i + 1]};
+    }
+
+    /// Column of an entry, as a local number.
+    unsigned int
+    column(const unsigned int entry) const
+    {
+      return rows.columns[entry];
+    }
+
+    float
+    value(const unsigned int entry) const
+    {
+      return rows.values[entry];
+    }
+
+    /// Entry (i,i) of a matrix whose rows and columns are the same nodes.
+    float
+    diagonal(const unsigned int i) const;
+
+    /// (A src)_i; ghosts of @p src are needed.
+    Lanes
+    row_times(const unsigned int i, const Lanes *src) const
+    {
+      const unsigned int       *column = rows.columns.data() + rows.starts[i];
+      const float              *value  = rows.values.data() + rows.starts[i];
+      const unsigned int *const end = rows.columns.data() + rows.starts[i + 1];
+      // four sums, lest each addition wait for the one before
+      Lanes sum = {}, sum_1 = {}, sum_2 = {}, sum_3 = {};
+      for (; end - column >= 4; column += 4, value += 4)
+        {
+          sum += value[0] * src[column[0]];
+          sum_1 += value[1] * src[column[1]];
+          sum_2 += value[2] * src[column[2]];
+          sum_3 += value[3] * src[column[3]];
+        }
+      for (; column != end; ++column, ++value)
+        sum += *value * src[*column];
+      return (sum + sum_1) + (sum_2 + sum_3);
+    }
+
+    /// dst += A^T src, where the sums of ghosts are left to be compressed.
+    void
+    add_transposed(Lanes *dst, const Lanes *src) const
+    {
+      for (unsigned int i = 0; i < n_rows(); ++i)
+        for (unsigned int k = rows.starts[i]; k < rows.starts[i + 1]; ++k)
+          dst[rows.columns[k]] += rows.values[k] * src[i];
+    }
+
+  private:
+    SparseRows                         rows;
+    std::shared_ptr<const Partitioner> nodes;
+  };
+
+
+
+  /**
+   * The nodes of a level: @p n_owned ones of each rank, numbered one rank after
+   * the other, and those of other ranks among the columns of @p rows.
+   */
+  std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
+  make_nodes(const unsigned int                     n_owned,
+             const std::vector<const SparseRows *> &rows,
+             const MPI_Comm                         communicator);
+
+  /// A vector on @p nodes, with ghosts, zero.
+  void
+  reinit(NodeVector &vector, const dealii::Utilities::MPI::Partitioner &nodes);
+
+  /// The values of a number for each node, ghosts included, from the owned.
+  std::vector<unsigned int>
+  with_ghosts(const std::vector<unsigned int>           &owned,
+              const dealii::Utilities::MPI::Partitioner &nodes);
+} // namespace Catena
+
+#endif

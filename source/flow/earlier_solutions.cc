@@ -1,0 +1,110 @@
+#include <catena/flow/earlier_solutions.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace Catena
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr unsigned int n_solutions = 4;
+
+    /// What is left of a direction without the others, if it is one of its own.
+    constexpr double smallest_remainder = 1e-8;
+
+    constexpr unsigned int n_blocks_without_contacts = 3;
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  EarlierSolutions<dim>::clear()
+  {
+    solutions.clear();
+    newest_is_of_this_instant = false;
+  }
+
+
+
+  template <int dim>
+  void
+  EarlierSolutions<dim>::begin_instant()
+  {
+    newest_is_of_this_instant = false;
+  }
+
+
+
+  template <int dim>
+  void
+  EarlierSolutions<dim>::remember(const BlockVectorType &solution)
+  {
+    if (newest_is_of_this_instant)
+      solutions.pop_front();
+    if (solutions.size() == n_solutions)
+      solutions.pop_back();
+    BlockVectorType copy(
+      std::min(solution.n_blocks(), n_blocks_without_contacts));
+    for (unsigned int b = 0; b < copy.n_blocks(); ++b)
+      copy.block(b) = solution.block(b);
+    copy.collect_sizes();
+    solutions.push_front(std::move(copy));
+    newest_is_of_this_instant = true;
+  }
+
+
+
+  template <int dim>
+  void
+  EarlierSolutions<dim>::improve(const FlowOperator<dim> &system,
+                                 const BlockVectorType   &rhs,
+                                 BlockVectorType         &guess) const
+  {
+    if (solutions.empty())
+      return;
+    BlockVectorType residual(rhs);
+    system.vmult(residual, guess);
+    residual.sadd(-1., 1., rhs);
+
+    // directions whose images under A are orthonormal
+    const BlockVectorType        first_guess = guess;
+    std::vector<BlockVectorType> directions, images;
+    for (const BlockVectorType &solution : solutions)
+      {
+        BlockVectorType direction(guess), image(rhs);
+        direction = 0.;
+        for (unsigned int b = 0; b < solution.n_blocks(); ++b)
+          {
+            direction.block(b) = solution.block(b);
+            direction.block(b) -= first_guess.block(b);
+          }
+        system.vmult(image, direction);
+        const double norm = image.l2_norm();
+        for (unsigned int i = 0; i < images.size(); ++i)
+          {
+            const double projection = image * images[i];
+            image.add(-projection, images[i]);
+            direction.add(-projection, directions[i]);
+          }
+        const double remainder = image.l2_norm();
+        if (!(remainder > smallest_remainder * norm))
+          continue;
+        image *= 1. / remainder;
+        direction *= 1. / remainder;
+
+        const double alpha = residual * image;
+        residual.add(-alpha, image);
+        guess.add(alpha, direction);
+        directions.push_back(std::move(direction));
+        images.push_back(std::move(image));
+      }
+  }
+
+
+
+  template class EarlierSolutions<2>;
+  template class EarlierSolutions<3>;
+} // namespace Catena

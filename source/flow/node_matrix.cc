@@ -1,0 +1,92 @@
+#include <catena/flow/node_matrix.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace Catena
+{
+  using namespace dealii;
+
+  NodeMatrix::NodeMatrix(SparseRows                         new_rows,
+                         std::shared_ptr<const Partitioner> new_nodes)
+    : rows(std::move(new_rows))
+    , nodes(std::move(new_nodes))
+  {
+    for (unsigned int &column : rows.columns)
+      column = nodes->global_to_local(column);
+  }
+
+
+
+  float
+  NodeMatrix::diagonal(const unsigned int i) const
+  {
+    for (unsigned int k = rows.starts[i]; k < rows.starts[i + 1]; ++k)
+      if (rows.columns[k] == i)
+        return rows.values[k];
+    return 0.f;
+  }
+
+
+
+  std::shared_ptr<const Utilities::MPI::Partitioner>
+  make_nodes(const unsigned int                     n_owned,
+             const std::vector<const SparseRows *> &rows,
+             const MPI_Comm                         communicator)
+  {
+    const auto counts = Utilities::MPI::all_gather(communicator, n_owned);
+    const auto own =
+      counts.begin() + Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int first = std::accumulate(counts.begin(), own, 0U),
+                       size  = std::accumulate(own, counts.end(), first);
+    IndexSet owned(size), ghosts(size);
+    owned.add_range(first, first + n_owned);
+
+    std::vector<types::global_dof_index> others;
+    for (const SparseRows *some : rows)
+      for (const unsigned int column : some->columns)
+        if (column < first || column >= first + n_owned)
+          others.push_back(column);
+    std::sort(others.begin(), others.end());
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+    ghosts.add_indices(others.begin(), others.end());
+    return std::make_shared<Utilities::MPI::Partitioner>(owned,
+                                                         ghosts,
+                                                         communicator);
+  }
+
+
+
+  void
+  reinit(NodeVector &vector, const Utilities::MPI::Partitioner &nodes)
+  {
+    const auto in_lanes = [](const IndexSet &set) {
+      IndexSet result(n_lanes * set.size());
+      for (auto it = set.begin_intervals(); it != set.end_intervals(); ++it)
+        result.add_range(n_lanes * *it->begin(), n_lanes * (it->last() + 1));
+      return result;
+    };
+    vector.reinit(in_lanes(nodes.locally_owned_range()),
+                  in_lanes(nodes.ghost_indices()),
+                  nodes.get_mpi_communicator());
+  }
+
+
+
+  std::vector<unsigned int>
+  with_ghosts(const std::vector<unsigned int>   &owned,
+              const Utilities::MPI::Partitioner &nodes)
+  {
+    LinearAlgebra::distributed::Vector<double> vector(
+      nodes.locally_owned_range(),
+      nodes.ghost_indices(),
+      nodes.get_mpi_communicator());
+    for (unsigned int i = 0; i < owned.size(); ++i)
+      vector.local_element(i) = owned[i];
+    vector.update_ghost_values();
+    std::vector<unsigned int> all(owned);
+    for (unsigned int i = 0; i < nodes.n_ghost_indices(); ++i)
+      all.push_back(vector.local_element(owned.size() + i));
+    return all;
+  }
+} // namespace Catena

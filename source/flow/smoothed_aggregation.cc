@@ -1,0 +1,127 @@
+#include <catena/flow/smoothed_aggregation.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace Catena
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// theta, above which a coupling is strong
+    constexpr float strong_coupling = 0.04f;
+
+    constexpr unsigned int none = numbers::invalid_unsigned_int;
+  } // namespace
+
+
+
+  SmoothedAggregation::SmoothedAggregation(
+    const NodeMatrix             &matrix,
+    const std::vector<FieldMask> &node_masks,
+    const double                  largest_eigenvalue)
+  {
+    const auto               &nodes      = matrix.column_nodes();
+    const MPI_Comm            comm       = nodes.get_mpi_communicator();
+    std::vector<unsigned int> aggregates = aggregate(matrix, node_masks);
+
+    // numbers for all ranks
+    const auto counts =
+      Utilities::MPI::all_gather(comm, static_cast<unsigned int>(masks.size()));
+    const unsigned int first =
+      std::accumulate(counts.begin(),
+                      counts.begin() + Utilities::MPI::this_mpi_process(comm),
+                      0U);
+    for (unsigned int &a : aggregates)
+      a += first;
+    aggregates = with_ghosts(aggregates, nodes);
+
+    FieldMask all = 0;
+    for (const FieldMask mask : node_masks)
+      all |= mask;
+    all = Utilities::MPI::max(static_cast<unsigned int>(all), comm);
+
+    const float omega = 4. / (3. * largest_eigenvalue);
+    std::vector<std::pair<unsigned int, float>> row;
+    for (unsigned int i = 0; i < matrix.n_rows(); ++i)
+      {
+        row.assign(1, {aggregates[i], 1.f});
+        if (node_masks[i] == all)
+          {
+            const float weight = omega / matrix.diagonal(i);
+            const auto  range  = matrix.row(i);
+            for (unsigned int k = range.first; k < range.second; ++k)
+              row.emplace_back(aggregates[matrix.column(k)],
+                               -weight * matrix.value(k));
+            std::sort(row.begin(), row.end(), [](const auto &a, const auto &b) {
+              return a.first < b.first;
+            });
+          }
+        for (unsigned int k = 0; k < row.size(); ++k)
+          if (k > 0 && row[k].first == row[k - 1].first)
+            prolongation.values.back() += row[k].second;
+          else
+            prolongation.add(row[k].first, row[k].second);
+        prolongation.end_row();
+      }
+  }
+
+
+
+  std::vector<unsigned int>
+  SmoothedAggregation::aggregate(const NodeMatrix             &matrix,
+                                 const std::vector<FieldMask> &node_masks)
+  {
+    const unsigned int n = matrix.n_rows();
+    std::vector<float> diagonal(n);
+    for (unsigned int i = 0; i < n; ++i)
+      diagonal[i] = matrix.diagonal(i);
+
+    const auto is_strong = [&](const unsigned int i, const unsigned int k) {
+      const unsigned int j = matrix.column(k);
+      const float        a = matrix.value(k);
+      return j != i && j < n && node_masks[i] == node_masks[j] && a < 0.f &&
+             a * a >
+               strong_coupling * strong_coupling * diagonal[i] * diagonal[j];
+    };
+
+    // neighbourhoods that do not touch each other
+    std::vector<unsigned int> aggregates(n, none);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        if (aggregates[i] != none)
+          continue;
+        const auto range = matrix.row(i);
+        bool       free  = true;
+        for (unsigned int k = range.first; k < range.second && free; ++k)
+          free = !is_strong(i, k) || aggregates[matrix.column(k)] == none;
+        if (!free)
+          continue;
+        aggregates[i] = masks.size();
+        for (unsigned int k = range.first; k < range.second; ++k)
+          if (is_strong(i, k))
+            aggregates[matrix.column(k)] = masks.size();
+        masks.push_back(node_masks[i]);
+      }
+
+    // other nodes join the one to which they are coupled most
+    std::vector<unsigned int> joined(aggregates);
+    for (unsigned int i = 0; i < n; ++i)
+      if (aggregates[i] == none)
+        {
+          float      strongest = 0.f;
+          const auto range     = matrix.row(i);
+          for (unsigned int k = range.first; k < range.second; ++k)
+            if (is_strong(i, k) && aggregates[matrix.column(k)] != none &&
+                matrix.value(k) < strongest)
+              {
+                strongest = matrix.value(k);
+                joined[i] = aggregates[matrix.column(k)];
+              }
+        }
+    return joined;
+  }
+} // namespace Catena

@@ -1,0 +1,75 @@
+#include <catena/flow/vertex_interpolation.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <numeric>
+
+namespace Catena
+{
+  using namespace dealii;
+
+  template <int dim>
+  VertexInterpolation<dim>::VertexInterpolation(
+    const MovingMesh<dim>                &mesh,
+    const std::vector<NodeCoupling<dim>> &couplings,
+    const std::vector<unsigned int>      &components)
+  {
+    const auto is_vertex = [&](const unsigned int node) {
+      return mesh.edge_ends(node)[0] == mesh.edge_ends(node)[1];
+    };
+    const auto factor = [&](const unsigned int node) {
+      for (const unsigned int d : components)
+        if (couplings[node].factors[d] != 0.)
+          return couplings[node].factors[d];
+      return 0.;
+    };
+
+    for (const auto node : mesh.owned_nodes())
+      {
+        FieldMask mask = 0;
+        for (unsigned int k = 0; k < components.size(); ++k)
+          if (couplings[node].master == node &&
+              couplings[node].factors[components[k]] != 0.)
+            mask |= 1U << k;
+        node_masks.push_back(mask);
+        if (mask != 0 && is_vertex(node))
+          vertex_masks.push_back(mask);
+      }
+
+    // vertices are numbered rank by rank
+    const unsigned int n_vertices = vertex_masks.size();
+    const auto         counts =
+      Utilities::MPI::all_gather(mesh.communicator(), n_vertices);
+    const auto own =
+      counts.begin() + Utilities::MPI::this_mpi_process(mesh.communicator());
+    unsigned int next = std::accumulate(counts.begin(), own, 0U);
+    VectorType   numbers(mesh.owned_nodes(),
+                       mesh.relevant_nodes(),
+                       mesh.communicator());
+    unsigned int i = 0;
+    for (const auto node : mesh.owned_nodes())
+      if (node_masks[i++] != 0 && is_vertex(node))
+        numbers(node) = next++;
+    numbers.update_ghost_values();
+
+    i = 0;
+    for (const auto node : mesh.owned_nodes())
+      {
+        if (node_masks[i++] == 0)
+          {}
+        else if (is_vertex(node))
+          prolongation.add(numbers(node), 1.f);
+        else
+          for (const unsigned int end : mesh.edge_ends(node))
+            if (factor(end) != 0.)
+              prolongation.add(numbers(couplings[end].master),
+                               0.5 * factor(end));
+        prolongation.end_row();
+      }
+  }
+
+
+
+  template class VertexInterpolation<2>;
+  template class VertexInterpolation<3>;
+} // namespace Catena
