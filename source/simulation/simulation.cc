@@ -1,4 +1,5 @@
 #include <catena/base/exceptions.h>
+#include <catena/flow/carreau_stress.h>
 #include <catena/flow/particle_forces.h>
 #include <catena/flow/stress_prediction.h>
 #include <catena/flow/velocity_constraints.h>
@@ -67,7 +68,7 @@ namespace Catena
   {
     bool any_moves = false;
     for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)
-      any_moves |= !bodies.unknown(k).rotation;
+      any_moves |= bodies.is_free(k) && !bodies.unknown(k).rotation;
     return parameters.viscoelastic() && any_moves;
   }
 
@@ -94,6 +95,7 @@ namespace Catena
     now.time        = initial_strain();
     for (const Particle<dim> &p : scene.particles)
       now.configuration.centres.push_back(p.centre);
+    now.configuration.shear_rate  = shear_rate();
     now.configuration.frame_angle = scene.line_angle(now.configuration.centres);
     contacts.enforce(now.configuration);
 
@@ -124,7 +126,7 @@ namespace Catena
       for (unsigned int k = 0; k < n_symmetric_components(dim); ++k)
         now.log_conformation.push_back(mesh().scalar_field());
     else
-      solve_flow(now, TimeStep(), VectorType(), nullptr);
+      solve_flow(now, TimeStep(), VectorType());
   }
 
 
@@ -183,13 +185,9 @@ namespace Catena
     result.remeshed                   = move_mesh(next);
     const VectorType velocity_of_mesh = mesh_velocity(next, step);
 
-    const bool          last_held_step = held && next.time > -1e-6 * step.dt;
-    std::vector<double> reactions;
-    next.flow = extrapolated_flow(step);
-    result.flow_iterations += solve_flow(next,
-                                         step,
-                                         velocity_of_mesh,
-                                         last_held_step ? &reactions : nullptr);
+    const bool last_held_step = held && next.time > -1e-6 * step.dt;
+    next.flow                 = extrapolated_flow(step);
+    result.flow_iterations += solve_flow(next, step, velocity_of_mesh);
     if (conformation_solver)
       result.conformation_iterations =
         solve_conformation(next, step, velocity_of_mesh);
@@ -198,7 +196,7 @@ namespace Catena
     state.now     = std::move(next);
     state.last_dt = step.dt;
     if (last_held_step)
-      let_go(reactions);
+      let_go();
 
     run_report.count("flow iterations", result.flow_iterations);
     run_report.count("remeshes", result.remeshed ? 1 : 0);
@@ -216,7 +214,7 @@ namespace Catena
   double
   Simulation<dim>::shear_rate() const
   {
-    double rate = 1.;
+    double rate = scene.pressure_driven() ? 0. : 1.;
     for (const double reversal : parameters.reversal_strains)
       if (reversal <= state.now.time + same_strain)
         rate *= -1.;
@@ -250,7 +248,7 @@ namespace Catena
 
     TimeStep step;
     step.dt = parameters.time_step;
-    return solve_flow(now, step, mesh().vector_field(), nullptr);
+    return solve_flow(now, step, mesh().vector_field());
   }
 
 
@@ -350,8 +348,10 @@ namespace Catena
     const FlowFields<dim> &now = state.now.flow, &before = state.before.flow;
 
     FlowFields<dim> result = now;
-    result.velocity        = combine(weights, now.velocity, before.velocity);
-    result.pressure        = combine(weights, now.pressure, before.pressure);
+    result.pressure_drop =
+      weights.b0 * now.pressure_drop + weights.b1 * before.pressure_drop;
+    result.velocity = combine(weights, now.velocity, before.velocity);
+    result.pressure = combine(weights, now.pressure, before.pressure);
     if (weights.b1 != 0.)
       for (unsigned int i = 0; i < result.motions.size(); ++i)
         {
@@ -372,10 +372,9 @@ namespace Catena
    */
   template <int dim>
   unsigned int
-  Simulation<dim>::solve_flow(Level<dim>          &next,
-                              const TimeStep      &step,
-                              const VectorType    &mesh_velocity,
-                              std::vector<double> *reactions)
+  Simulation<dim>::solve_flow(Level<dim>       &next,
+                              const TimeStep   &step,
+                              const VectorType &mesh_velocity)
   {
     const auto candidates    = contacts.candidates(next.configuration);
     next.flow.contact_forces = contacts.remembered_forces(candidates);
@@ -389,6 +388,10 @@ namespace Catena
         contacts.remember(candidates, next.flow.contact_forces);
         run_report.count("nonlinear steps of the flow",
                          report.picard_steps + report.newton_steps);
+        find_reactions(next,
+                       CarreauStress<dim>(Carreau(parameters.fluid.carreau),
+                                          next.flow.velocity,
+                                          Linearisation::picard));
         return report.linear_iterations;
       }
 
@@ -419,10 +422,21 @@ namespace Catena
     const unsigned int iterations =
       flow_solver.solve(next.flow, candidates, external_forces(next.time));
     contacts.remember(candidates, next.flow.contact_forces);
-    if (reactions)
-      *reactions = particle_forces<dim>(
-        mesh(), bodies, next.configuration, *stress, next.flow);
+    find_reactions(next, *stress);
     return iterations;
+  }
+
+
+
+  /// What holds the particles, if any is held.
+  template <int dim>
+  void
+  Simulation<dim>::find_reactions(Level<dim>             &level,
+                                  const StressModel<dim> &stress) const
+  {
+    if (bodies.any_held())
+      level.flow.reactions = particle_forces<dim>(
+        mesh(), bodies, level.configuration, stress, level.flow);
   }
 
 
@@ -456,14 +470,14 @@ namespace Catena
    */
   template <int dim>
   void
-  Simulation<dim>::let_go(const std::vector<double> &reactions)
+  Simulation<dim>::let_go()
   {
     state.now.time       = 0.;
-    state.holding_forces = reactions;
+    state.holding_forces = state.now.flow.reactions;
     held                 = false;
     bodies.hold_in_place(false);
     for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)
-      if (bodies.unknown(k).rotation)
+      if (bodies.unknown(k).rotation || !bodies.is_free(k))
         state.holding_forces[k] = 0.;
     set_up_solvers();
   }

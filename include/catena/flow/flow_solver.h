@@ -47,6 +47,13 @@ namespace Catena
     std::vector<RigidMotion<dim>> motions;
     /// F_r >= 0, by candidate contact
     std::vector<double> contact_forces;
+    /**
+     * P, by which the pressure falls along a period of a pressure-driven
+     * scene: it is `pressure` - P x/L.
+     */
+    double pressure_drop = 0.;
+    /// of what is held in place, see particle_forces(); 0 without it
+    std::vector<double> reactions;
   };
 
 
@@ -72,6 +79,7 @@ namespace Catena
    *
    *   force and torque of the fluid + F_external + F_r = 0,
    *
+   * and, in a pressure-driven scene, with the flow rate,
    * for the disturbance of the imposed shear flow, by FGMRES with
    * FlowPreconditioner. The matrices' sparsity is kept as long as the mesh is.
    * The preconditioner is kept until the iterations lost since it was made,
@@ -207,7 +215,7 @@ namespace Catena
                 const std::vector<double> &contact_forces) const;
 
     std::vector<double>
-    motion_unknowns(const FlowFields<dim> &fields) const;
+    global_unknowns(const FlowFields<dim> &fields) const;
 
     double
     target(const BlockVectorType &rhs) const;

@@ -169,10 +169,12 @@ namespace Catena
     extrapolated_flow(const TimeStep &step) const;
 
     unsigned int
-    solve_flow(Level<dim>          &next,
-               const TimeStep      &step,
-               const VectorType    &mesh_velocity,
-               std::vector<double> *reactions);
+    solve_flow(Level<dim>       &next,
+               const TimeStep   &step,
+               const VectorType &mesh_velocity);
+
+    void
+    find_reactions(Level<dim> &level, const StressModel<dim> &stress) const;
 
     unsigned int
     solve_conformation(Level<dim>       &next,
@@ -180,7 +182,7 @@ namespace Catena
                        const VectorType &mesh_velocity);
 
     void
-    let_go(const std::vector<double> &reactions);
+    let_go();
 
     void
     set_up_solvers();
