@@ -121,6 +121,7 @@ namespace Catena
     now.flow.velocity.update_ghost_values();
     now.flow.pressure = mesh().scalar_field();
     now.flow.motions  = reference_motions<dim>(scene, now.configuration, held);
+    now.flow.reactions.assign(bodies.n_unknowns(), 0.);
 
     if (parameters.viscoelastic())
       for (unsigned int k = 0; k < n_symmetric_components(dim); ++k)

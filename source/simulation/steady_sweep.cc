@@ -34,10 +34,7 @@ namespace Catena
   drag_coefficient()
   {
     return {"drag", "K", "", [](const Simulation<dim> &simulation) {
-              // nothing holds the particle while the fluid is at rest
-              const auto &reactions =
-                simulation.current_state().now.flow.reactions;
-              return reactions.empty() ? 0. : -reactions[0];
+              return -simulation.current_state().now.flow.reactions[0];
             }};
   }
 

@@ -52,7 +52,8 @@ namespace Catena
      * scene: it is `pressure` - P x/L.
      */
     double pressure_drop = 0.;
-    /// of what is held in place, see particle_forces(); 0 without it
+    /// force and torque that hold each particle in place, by rigid-body
+    /// unknown, see particle_forces(); found when a particle is held
     std::vector<double> reactions;
   };
 
