@@ -155,7 +155,7 @@ namespace Catena
         const std::vector<double> rate = contacts[c].rate(*bodies);
         for (unsigned int k = 0; k < n; ++k)
           {
-            blocks.rates(c, k) = bodies->is_free(k) ? rate[k] : 0.;
+            blocks.rates(c, k) = rate[k];
             blocks.given[c] -= rate[k] * reference[k];
           }
         blocks.shares.push_back(contacts[c].meshed_share);
