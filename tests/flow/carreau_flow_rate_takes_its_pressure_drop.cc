@@ -52,7 +52,7 @@ main(int argc, char **argv)
         Tests::print(name, ": errors ", coarse_error, ", ", fine_error);
         claims.at_most(name + ": the pressure drop",
                        std::abs(fine_error),
-                       1e-4);
+                       1e-6);
         claims.at_least(name + ": its order",
                         std::log(std::abs(coarse_error / fine_error)) /
                           std::log(coarse.second / fine.second),
