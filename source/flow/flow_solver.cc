@@ -129,6 +129,9 @@ namespace Catena
                          mesh->scene().imposed_gradient(),
                        preconditioner_is_due,
                        last_force);
+    if (!std::isfinite(matrices->velocity_rhs.l2_norm()))
+      throw SolverError("The stress has values that are not finite: use a "
+                        "smaller time step or a finer mesh.");
     preconditioner_is_fresh = preconditioner_is_due;
     if (preconditioner_is_due)
       preconditioner.initialize(*matrices);
