@@ -68,7 +68,8 @@ namespace Catena
   {
     bool any_moves = false;
     for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)
-      any_moves |= bodies.is_free(k) && !bodies.unknown(k).rotation;
+      any_moves |= !bodies.unknown(k).rotation &&
+                   !bodies.is_fixed(bodies.unknown(k).particle);
     return parameters.viscoelastic() && any_moves;
   }
 
@@ -478,7 +479,8 @@ namespace Catena
     held                 = false;
     bodies.hold_in_place(false);
     for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)
-      if (bodies.unknown(k).rotation || !bodies.is_free(k))
+      if (bodies.unknown(k).rotation ||
+          bodies.is_fixed(bodies.unknown(k).particle))
         state.holding_forces[k] = 0.;
     set_up_solvers();
   }
