@@ -105,6 +105,7 @@ namespace Catena
     /**
      * Assemble at the mesh's current positions, and make a new preconditioner
      * if it is due.
+     * @throws SolverError if the stress is not finite
      */
     void
     assemble(const Configuration<dim>    &configuration,
