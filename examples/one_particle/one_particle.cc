@@ -9,16 +9,16 @@
 
 #include <catena/base/program_options.h>
 #include <catena/scene/one_particle.h>
-#include <catena/simulation/rotation_sweep.h>
+#include <catena/simulation/steady_sweep.h>
 
 int
 main(int argc, char **argv)
 {
   using namespace Catena;
 
-  OneParticleParameters   scene;
-  SimulationParameters    simulation;
-  RotationSweepParameters sweep;
+  OneParticleParameters scene;
+  SimulationParameters  simulation;
+  SteadySweepParameters sweep;
 
   Program program;
   program.name        = "one_particle";
@@ -38,8 +38,12 @@ main(int argc, char **argv)
     const std::string directory =
       options.results_directory(simulation.output_directory);
     prepare_output_directory(directory, options.overwrite, MPI_COMM_WORLD);
-    rotation_sweep(
-      scene.scene<3>(), simulation, sweep, directory, MPI_COMM_WORLD);
+    steady_sweep(scene.scene<3>(),
+                 simulation,
+                 sweep,
+                 rotation_rate<3>(),
+                 directory,
+                 MPI_COMM_WORLD);
   };
   return run_program(argc, argv, program);
 }

@@ -15,19 +15,19 @@ namespace Catena
     const MovingMesh<dim>                &mesh,
     const RigidBodies<dim>               &bodies,
     const std::vector<NodeCoupling<dim>> &couplings)
-    : rigid_rigid(bodies.n_unknowns())
+    : rigid_rigid(n_global_unknowns(mesh, bodies))
     , velocity_rhs(mesh.owned_vectors(), mesh.communicator())
     , pressure_rhs(mesh.owned_scalars(), mesh.communicator())
-    , rigid_rhs(bodies.n_unknowns())
+    , rigid_rhs(n_rigid())
     , vertex_volumes(mesh.owned_scalars(), mesh.communicator())
     , mesh(mesh)
     , bodies(bodies)
-    , rigid_owned(bodies.n_unknowns())
-    , rigid_relevant(bodies.n_unknowns())
+    , rigid_owned(n_rigid())
+    , rigid_relevant(n_rigid())
   {
-    rigid_relevant.add_range(0, bodies.n_unknowns());
+    rigid_relevant.add_range(0, n_rigid());
     if (Utilities::MPI::this_mpi_process(mesh.communicator()) == 0)
-      rigid_owned.add_range(0, bodies.n_unknowns());
+      rigid_owned.add_range(0, n_rigid());
     make_patterns(couplings);
   }
 
@@ -49,8 +49,7 @@ namespace Catena
     const std::vector<NodeCoupling<dim>> &couplings)
   {
     const FlowSparsity sparsity(mesh, bodies, couplings);
-    const unsigned int n_rigid = bodies.n_unknowns();
-    const MPI_Comm     comm    = mesh.communicator();
+    const MPI_Comm     comm = mesh.communicator();
     velocity.reinit(mesh.owned_vectors(),
                     mesh.owned_vectors(),
                     sparsity.velocities,
@@ -75,7 +74,7 @@ namespace Catena
                          comm);
     mass_access =
       CsrAccess(pressure_mass, mesh.owned_scalars(), mesh.relevant_scalars());
-    if (n_rigid > 0)
+    if (n_rigid() > 0)
       {
         velocity_rigid.reinit(mesh.owned_vectors(),
                               rigid_owned,
@@ -257,9 +256,13 @@ namespace Catena
         add_right_hand_side(element);
         if (element.touches_particle)
           add_rigid_blocks(element);
+        if (mesh.scene().pressure_driven())
+          add_pressure_drop(element);
         if (with_preconditioner)
           add_preconditioner(element);
       }
+    if (mesh.scene().pressure_driven())
+      add_pressure_drop_on_particles();
     finish(couplings, with_preconditioner);
   }
 
@@ -420,6 +423,66 @@ namespace Catena
 
   template <int dim>
   void
+  FlowMatrices<dim>::add_pressure_drop(const FlowElement<dim> &element)
+  {
+    const unsigned int drop              = bodies.n_unknowns();
+    const int          column            = velocity_rigid_access.column(drop);
+    const int          column_transposed = rigid_velocity_access.column(drop);
+    for (unsigned int a = 0; a < FlowElement<dim>::n_nodes; ++a)
+      {
+        const NodeCoupling<dim> &node = *element.couplings[a];
+        const double value = -element.node_volume[a] / mesh.scene().length;
+        const int    row   = velocity_rigid_access.row(dim * node.master);
+        if (node.factors[0] != 0. && row != CsrAccess::absent)
+          {
+            velocity_rigid_access.add(row, column, node.factors[0] * value);
+            rigid_velocity_access.add(row,
+                                      column_transposed,
+                                      node.factors[0] * value);
+          }
+        if (node.rigid && element.cell->owned)
+          {
+            rigid_rhs[drop] -= value * node.known[0];
+            for (const auto &motion : node.motions[0])
+              {
+                rigid_rigid(motion.first, drop) += motion.second * value;
+                rigid_rigid(drop, motion.first) += motion.second * value;
+              }
+          }
+      }
+  }
+
+
+
+  /**
+   * The part of the pressure drop's row and column inside the particles, and
+   * the flow rate.
+   */
+  template <int dim>
+  void
+  FlowMatrices<dim>::add_pressure_drop_on_particles()
+  {
+    // each rank adds its part, all of them are summed later
+    if (Utilities::MPI::this_mpi_process(mesh.communicator()) != 0)
+      return;
+    const unsigned int drop = bodies.n_unknowns();
+    for (unsigned int k = 0; k < drop; ++k)
+      {
+        const double value = -bodies.meshed_share(k) *
+                             bodies.displaced_volume(k) / mesh.scene().length;
+        if (bodies.is_free(k))
+          {
+            rigid_rigid(k, drop) += value;
+            rigid_rigid(drop, k) += value;
+          }
+      }
+    rigid_rhs[drop] -= mesh.scene().section();
+  }
+
+
+
+  template <int dim>
+  void
   FlowMatrices<dim>::add_preconditioner(const FlowElement<dim> &element)
   {
     for (unsigned int v = 0; v < FlowElement<dim>::n_vertices; ++v)
@@ -491,7 +554,7 @@ namespace Catena
 
     Utilities::MPI::sum(rigid_rhs, mesh.communicator(), rigid_rhs);
     Utilities::MPI::sum(rigid_rigid, mesh.communicator(), rigid_rigid);
-    for (unsigned int k = 0; k < n_rigid(); ++k)
+    for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)
       if (!bodies.is_free(k))
         rigid_rigid(k, k) = 1.;
   }

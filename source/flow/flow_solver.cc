@@ -131,6 +131,9 @@ namespace Catena
                          mesh->scene().imposed_gradient(),
                        preconditioner_is_due,
                        last_force);
+    if (!std::isfinite(matrices->velocity_rhs.l2_norm()))
+      throw SolverError("The stress has values that are not finite: use a "
+                        "smaller time step or a finer mesh.");
     preconditioner_is_fresh = preconditioner_is_due;
     if (preconditioner_is_due)
       preconditioner.initialize(*mesh, couplings, *matrices);
@@ -150,7 +153,7 @@ namespace Catena
 
     ContactBlocks blocks;
     if (m > 0)
-      blocks.rates.reinit(m, n);
+      blocks.rates.reinit(m, matrices->n_rigid());
     blocks.given.assign(m, 0.);
     for (unsigned int c = 0; c < m; ++c)
       {
@@ -172,7 +175,7 @@ namespace Catena
   FlowSolver<dim>::make_vector(const unsigned int n_contacts) const
   {
     const MPI_Comm comm    = mesh->communicator();
-    const unsigned n_rigid = bodies->n_unknowns();
+    const unsigned n_rigid = matrices->n_rigid();
     const auto     on_root = [&](const unsigned int n) {
       IndexSet set(n);
       if (Utilities::MPI::this_mpi_process(comm) == 0)
@@ -203,10 +206,10 @@ namespace Catena
     rhs.block(1)        = matrices->pressure_rhs;
     // the flux through the boundary vanishes up to rounding
     rhs.block(1).add(-rhs.block(1).mean_value());
-    if (bodies->n_unknowns() > 0)
+    if (matrices->n_rigid() > 0)
       {
         std::vector<double> forces = matrices->rigid_rhs;
-        for (unsigned int k = 0; k < forces.size(); ++k)
+        for (unsigned int k = 0; k < bodies->n_unknowns(); ++k)
           if (bodies->is_free(k))
             forces[k] += bodies->meshed_share(k) * external_forces[k];
         set_replicated(rhs.block(2), forces);
@@ -241,8 +244,8 @@ namespace Catena
       if (mesh->identification().master(mesh->node_of_vertex(vertex)) ==
           mesh->node_of_vertex(vertex))
         guess.block(1)(vertex) = fields.pressure(vertex);
-    if (bodies->n_unknowns() > 0)
-      set_replicated(guess.block(2), motion_unknowns(fields));
+    if (matrices->n_rigid() > 0)
+      set_replicated(guess.block(2), global_unknowns(fields));
     if (forces.size() > 0)
       set_replicated(guess.block(3), forces);
     return guess;
@@ -250,16 +253,19 @@ namespace Catena
 
 
 
-  /// The rigid-body unknowns, against the reference motions.
+  /// The rigid-body unknowns, against the reference motions, and the pressure
+  /// drop.
   template <int dim>
   std::vector<double>
-  FlowSolver<dim>::motion_unknowns(const FlowFields<dim> &fields) const
+  FlowSolver<dim>::global_unknowns(const FlowFields<dim> &fields) const
   {
     std::vector<double>       values    = bodies->values(fields.motions);
     const std::vector<double> reference = bodies->values(
       reference_motions<dim>(mesh->scene(), configuration, held));
     for (unsigned int k = 0; k < values.size(); ++k)
       values[k] = bodies->is_free(k) ? values[k] - reference[k] : 0.;
+    if (mesh->scene().pressure_driven())
+      values.push_back(fields.pressure_drop);
     return values;
   }
 
@@ -312,7 +318,7 @@ namespace Catena
   {
     preconditioner.set_contacts(contacts);
     const FlowOperator<dim> system{*matrices, contacts};
-    const bool is_of_an_instant = wanted_residual == 0.;
+    const bool              is_of_an_instant = wanted_residual == 0.;
     if (is_of_an_instant)
       earlier_solutions.improve(system, rhs, solution);
     SolverControl control(parameters.max_iterations, target(rhs));
@@ -352,14 +358,14 @@ namespace Catena
     unsigned int       iterations    = 0;
     ActingContacts     acting(preconditioner.rigid_resistance(),
                           blocks,
-                          motion_unknowns(fields),
+                          global_unknowns(fields),
                           fields.contact_forces);
     for (unsigned int n = 0; n < max_solutions; ++n)
       {
         iterations += solve_with(acting.set(), blocks, external_forces, fields);
         if (n == 0)
           judge_preconditioner(iterations);
-        if (acting.are_found(motion_unknowns(fields),
+        if (acting.are_found(global_unknowns(fields),
                              fields.contact_forces,
                              force_error * residual))
           {
@@ -461,8 +467,10 @@ namespace Catena
                                     FlowFields<dim>       &fields) const
   {
     std::vector<double> motions;
-    if (bodies->n_unknowns() > 0)
+    if (matrices->n_rigid() > 0)
       motions = replicate(solution.block(2));
+    if (mesh->scene().pressure_driven())
+      fields.pressure_drop = motions.back();
 
     VectorType disturbance = mesh->vector_field();
     disturbance.copy_locally_owned_data_from(solution.block(0));
@@ -539,7 +547,7 @@ namespace Catena
   FlowSolver<dim>::n_unknowns() const
   {
     return mesh->vector_dofs().n_dofs() + mesh->scalar_dofs().n_dofs() +
-           bodies->n_unknowns();
+           matrices->n_rigid();
   }
 
 

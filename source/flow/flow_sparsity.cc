@@ -7,6 +7,15 @@ namespace Catena
   using namespace dealii;
 
   template <int dim>
+  unsigned int
+  n_global_unknowns(const MovingMesh<dim> &mesh, const RigidBodies<dim> &bodies)
+  {
+    return bodies.n_unknowns() + (mesh.scene().pressure_driven() ? 1 : 0);
+  }
+
+
+
+  template <int dim>
   FlowSparsity::FlowSparsity(const MovingMesh<dim>                &mesh,
                              const RigidBodies<dim>               &bodies,
                              const std::vector<NodeCoupling<dim>> &couplings)
@@ -24,10 +33,10 @@ namespace Catena
              mesh.scalar_dofs().n_dofs(),
              mesh.relevant_scalars())
     , velocity_motions(mesh.vector_dofs().n_dofs(),
-                       bodies.n_unknowns(),
+                       n_global_unknowns(mesh, bodies),
                        mesh.relevant_vectors())
     , pressure_motions(mesh.scalar_dofs().n_dofs(),
-                       bodies.n_unknowns(),
+                       n_global_unknowns(mesh, bodies),
                        mesh.relevant_scalars())
   {
     const auto master_of = [&](const unsigned int vertex) {
@@ -74,6 +83,8 @@ namespace Catena
             gradients.add_entries(row, vertices.begin(), vertices.end(), true);
             for (const unsigned int k : motions)
               velocity_motions.add(row, k);
+            if (mesh.scene().pressure_driven())
+              velocity_motions.add(row, bodies.n_unknowns());
           }
         for (const auto vertex : vertices)
           {
@@ -105,6 +116,10 @@ namespace Catena
 
 
 
+  template unsigned int
+  n_global_unknowns(const MovingMesh<2> &, const RigidBodies<2> &);
+  template unsigned int
+  n_global_unknowns(const MovingMesh<3> &, const RigidBodies<3> &);
   template FlowSparsity::FlowSparsity(const MovingMesh<2> &,
                                       const RigidBodies<2> &,
                                       const std::vector<NodeCoupling<2>> &);

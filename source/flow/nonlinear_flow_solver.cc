@@ -77,6 +77,8 @@ namespace Catena
           to.angular_velocity =
             (1. - s) * from.angular_velocity + s * to.angular_velocity;
         }
+      result.pressure_drop =
+        (1. - s) * a.pressure_drop + s * result.pressure_drop;
       if (a.contact_forces.size() == b.contact_forces.size())
         for (unsigned int c = 0; c < a.contact_forces.size(); ++c)
           result.contact_forces[c] =

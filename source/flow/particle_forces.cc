@@ -14,6 +14,7 @@ namespace Catena
   {
     constexpr unsigned int none = MovingMesh<dim>::no_particle;
 
+    const double pressure_gradient = fields.pressure_drop / mesh.scene().length;
     std::vector<double>                  forces(bodies.n_unknowns(), 0.);
     CellValues<dim>                      values;
     std::vector<StressCoefficients<dim>> coefficients;
@@ -52,8 +53,10 @@ namespace Catena
                 const unsigned int node = cell.nodes[a];
                 if (mesh.particle(node) == none)
                   continue;
-                const Tensor<1, dim> reaction = mesh.particle_image(node).turn(
-                  point.JxW * (total * point.quadratic_gradient[a]));
+                Tensor<1, dim> nodal = total * point.quadratic_gradient[a];
+                nodal[0] -= pressure_gradient * point.quadratic[a];
+                const Tensor<1, dim> reaction =
+                  mesh.particle_image(node).turn(point.JxW * nodal);
                 const Tensor<1, dim> arm =
                   mesh.arm(node, positions[a], configuration.centres);
                 const auto range = bodies.range(mesh.particle(node));
@@ -64,7 +67,8 @@ namespace Catena
       }
     Utilities::MPI::sum(forces, mesh.communicator(), forces);
     for (unsigned int k = 0; k < forces.size(); ++k)
-      forces[k] /= bodies.meshed_share(k);
+      forces[k] = forces[k] / bodies.meshed_share(k) -
+                  pressure_gradient * bodies.displaced_volume(k);
     return forces;
   }
 

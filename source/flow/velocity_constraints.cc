@@ -13,6 +13,8 @@ namespace Catena
     std::vector<RigidMotion<dim>> motions(configuration.centres.size());
     for (unsigned int i = 0; i < motions.size(); ++i)
       {
+        if (scene.particles[i].fixed)
+          continue;
         if (!held_in_place)
           motions[i].velocity =
             configuration.shear_rate *

@@ -27,7 +27,7 @@ namespace Catena
     {
       const auto range = bodies.range(particle);
       for (unsigned int k = range.first; k < range.second; ++k)
-        if (!bodies.unknown(k).rotation)
+        if (!bodies.unknown(k).rotation && !bodies.is_fixed(particle))
           row[k] += direction[bodies.unknown(k).axis];
     }
 
@@ -76,10 +76,11 @@ namespace Catena
               // periodic image keeps its distance
               const bool on_axis =
                 scene.particles[i].on_axis || scene.particles[j].on_axis;
-              if (image.turned ? !on_axis : i != j)
+              const bool moves = !bodies.is_fixed(i) || !bodies.is_fixed(j);
+              if (moves && (image.turned ? !on_axis : i != j))
                 pairs.push_back({i, j, image, Contact<dim>::Partner::particle});
             }
-        if (!scene.particles[i].on_axis)
+        if (!scene.particles[i].on_axis && !bodies.is_fixed(i))
           add_planes(i);
       }
   }

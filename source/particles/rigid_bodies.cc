@@ -1,5 +1,7 @@
 #include <catena/particles/rigid_bodies.h>
 
+#include <deal.II/base/numbers.h>
+
 namespace Catena
 {
   using namespace dealii;
@@ -50,7 +52,33 @@ namespace Catena
 
         offsets.push_back(unknowns.size());
         shares.push_back(1. / scene.multiplicity(i));
+        fixed.push_back(p.fixed);
+        volumes.push_back((dim == 2 ? 1. : 4. / 3. * p.radius) * numbers::PI *
+                          p.radius * p.radius);
       }
+  }
+
+
+
+  template <int dim>
+  double
+  RigidBodies<dim>::displaced_volume(const unsigned int k) const
+  {
+    const Unknown &unknown = unknowns[k];
+    return unknown.rotation || unknown.axis != 0 ? 0. :
+                                                   volumes[unknown.particle];
+  }
+
+
+
+  template <int dim>
+  bool
+  RigidBodies<dim>::any_held() const
+  {
+    for (unsigned int k = 0; k < unknowns.size(); ++k)
+      if (!is_free(k))
+        return true;
+    return false;
   }
 
 

@@ -61,6 +61,18 @@ namespace Catena
 
 
   template <int dim>
+  double
+  Scene<dim>::section() const
+  {
+    double area = 1.;
+    for (unsigned int d = 1; d < dim; ++d)
+      area *= upper()[d] - lower()[d];
+    return area;
+  }
+
+
+
+  template <int dim>
   std::vector<Identification<dim>>
   Scene<dim>::identifications() const
   {
@@ -211,6 +223,12 @@ namespace Catena
     require(length > 0., "Scene/Length", length, "give a positive length");
     require(height > 0., "Scene/Height", height, "give a positive height");
     require(width > 0., "Scene/Width", width, "give a positive width");
+
+    require(!(pressure_driven() && rotational()),
+            "Scene/Domain",
+            "quarter",
+            "a flow along the channel has no rotational symmetry, choose half "
+            "or full");
 
     const Point<dim> low = lower(), high = upper();
     for (unsigned int i = 0; i < particles.size(); ++i)

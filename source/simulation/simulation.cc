@@ -1,5 +1,6 @@
 #include <catena/base/exceptions.h>
 #include <catena/conformation/conformation_change.h>
+#include <catena/flow/carreau_stress.h>
 #include <catena/flow/particle_forces.h>
 #include <catena/flow/stress_prediction.h>
 #include <catena/flow/velocity_constraints.h>
@@ -77,7 +78,8 @@ namespace Catena
   {
     bool any_moves = false;
     for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)
-      any_moves |= !bodies.unknown(k).rotation;
+      any_moves |= !bodies.unknown(k).rotation &&
+                   !bodies.is_fixed(bodies.unknown(k).particle);
     return parameters.viscoelastic() && any_moves;
   }
 
@@ -116,6 +118,7 @@ namespace Catena
     now.time        = initial_strain();
     for (const Particle<dim> &p : scene.particles)
       now.configuration.centres.push_back(p.centre);
+    now.configuration.shear_rate  = shear_rate();
     now.configuration.frame_angle = scene.line_angle(now.configuration.centres);
     contacts.enforce(now.configuration);
 
@@ -141,12 +144,13 @@ namespace Catena
     now.flow.velocity.update_ghost_values();
     now.flow.pressure = mesh().scalar_field();
     now.flow.motions  = reference_motions<dim>(scene, now.configuration, held);
+    now.flow.reactions.assign(bodies.n_unknowns(), 0.);
 
     if (parameters.viscoelastic())
       for (unsigned int k = 0; k < n_symmetric_components(dim); ++k)
         now.log_conformation.push_back(mesh().scalar_field());
     else
-      solve_flow(now, TimeStep(), VectorType(), nullptr);
+      solve_flow(now, TimeStep(), VectorType());
   }
 
 
@@ -205,9 +209,8 @@ namespace Catena
     if (state.now.configuration.shear_rate != shear_rate())
       result.flow_iterations = reverse_shear();
 
-    Level<dim>          next;
-    std::vector<double> reactions;
-    while (!try_step(next, reactions, result))
+    Level<dim> next;
+    while (!try_step(next, result))
       run_report.count("rejected steps");
 
     const bool last_held_step = held && next.time > -same_strain;
@@ -215,7 +218,7 @@ namespace Catena
     state.now                 = std::move(next);
     state.last_dt             = result.dt;
     if (last_held_step)
-      let_go(reactions);
+      let_go();
 
     run_report.count("flow iterations", result.flow_iterations);
     run_report.count("remeshes", result.remeshed ? 1 : 0);
@@ -231,9 +234,7 @@ namespace Catena
    */
   template <int dim>
   bool
-  Simulation<dim>::try_step(Level<dim>          &next,
-                            std::vector<double> &reactions,
-                            StepReport          &report)
+  Simulation<dim>::try_step(Level<dim> &next, StepReport &report)
   {
     TimeStep step;
     step.dt          = next_dt();
@@ -247,10 +248,8 @@ namespace Catena
           report.remeshed = true;
         const VectorType velocity_of_mesh = mesh_velocity(next, step);
 
-        const bool last_held_step = held && next.time > -same_strain;
-        next.flow                 = extrapolated_flow(step);
-        report.flow_iterations += solve_flow(
-          next, step, velocity_of_mesh, last_held_step ? &reactions : nullptr);
+        next.flow = extrapolated_flow(step);
+        report.flow_iterations += solve_flow(next, step, velocity_of_mesh);
         if (conformation_solver)
           report.conformation_iterations =
             solve_conformation(next, step, velocity_of_mesh);
@@ -340,7 +339,7 @@ namespace Catena
   double
   Simulation<dim>::shear_rate() const
   {
-    double rate = 1.;
+    double rate = scene.pressure_driven() ? 0. : 1.;
     for (const double reversal : parameters.reversal_strains)
       if (reversal <= state.now.time + same_strain)
         rate *= -1.;
@@ -375,7 +374,7 @@ namespace Catena
     TimeStep step;
     step_control.restart();
     step.dt = step_control.next_step();
-    return solve_flow(now, step, mesh().vector_field(), nullptr);
+    return solve_flow(now, step, mesh().vector_field());
   }
 
 
@@ -475,8 +474,10 @@ namespace Catena
     const FlowFields<dim> &now = state.now.flow, &before = state.before.flow;
 
     FlowFields<dim> result = now;
-    result.velocity        = combine(weights, now.velocity, before.velocity);
-    result.pressure        = combine(weights, now.pressure, before.pressure);
+    result.pressure_drop =
+      weights.b0 * now.pressure_drop + weights.b1 * before.pressure_drop;
+    result.velocity = combine(weights, now.velocity, before.velocity);
+    result.pressure = combine(weights, now.pressure, before.pressure);
     if (weights.b1 != 0.)
       for (unsigned int i = 0; i < result.motions.size(); ++i)
         {
@@ -497,10 +498,9 @@ namespace Catena
    */
   template <int dim>
   unsigned int
-  Simulation<dim>::solve_flow(Level<dim>          &next,
-                              const TimeStep      &step,
-                              const VectorType    &mesh_velocity,
-                              std::vector<double> *reactions)
+  Simulation<dim>::solve_flow(Level<dim>       &next,
+                              const TimeStep   &step,
+                              const VectorType &mesh_velocity)
   {
     const auto candidates    = contacts.candidates(next.configuration);
     next.flow.contact_forces = contacts.remembered_forces(candidates);
@@ -514,6 +514,10 @@ namespace Catena
         contacts.remember(candidates, next.flow.contact_forces);
         run_report.count("nonlinear steps of the flow",
                          report.picard_steps + report.newton_steps);
+        find_reactions(next,
+                       CarreauStress<dim>(Carreau(parameters.fluid.carreau),
+                                          next.flow.velocity,
+                                          Linearisation::picard));
         return report.linear_iterations;
       }
 
@@ -544,10 +548,21 @@ namespace Catena
     const unsigned int iterations =
       flow_solver.solve(next.flow, candidates, external_forces(next.time));
     contacts.remember(candidates, next.flow.contact_forces);
-    if (reactions)
-      *reactions = particle_forces<dim>(
-        mesh(), bodies, next.configuration, *stress, next.flow);
+    find_reactions(next, *stress);
     return iterations;
+  }
+
+
+
+  /// What holds the particles, if any is held.
+  template <int dim>
+  void
+  Simulation<dim>::find_reactions(Level<dim>             &level,
+                                  const StressModel<dim> &stress) const
+  {
+    if (bodies.any_held())
+      level.flow.reactions = particle_forces<dim>(
+        mesh(), bodies, level.configuration, stress, level.flow);
   }
 
 
@@ -596,15 +611,16 @@ namespace Catena
    */
   template <int dim>
   void
-  Simulation<dim>::let_go(const std::vector<double> &reactions)
+  Simulation<dim>::let_go()
   {
     state.now.time       = 0.;
-    state.holding_forces = reactions;
+    state.holding_forces = state.now.flow.reactions;
     held                 = false;
     step_control.restart();
     bodies.hold_in_place(false);
     for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)
-      if (bodies.unknown(k).rotation)
+      if (bodies.unknown(k).rotation ||
+          bodies.is_fixed(bodies.unknown(k).particle))
         state.holding_forces[k] = 0.;
     set_up_solvers();
   }

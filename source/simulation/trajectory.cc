@@ -73,6 +73,8 @@ namespace Catena
         for (unsigned int d = 0; d < dim; ++d)
           table.declare(name("F" + axes[d], i), "F_S");
       }
+    if (simulation.initial_scene().pressure_driven())
+      table.declare("pressure_drop", "eta0 gamma");
     table.declare("F_r", "F_S");
     table.declare("held_contacts");
     table.declare("smallest_eigenvalue_c");
@@ -105,7 +107,8 @@ namespace Catena
         const auto              range = bodies.range(i);
         for (unsigned int k = range.first; k < range.second; ++k)
           if (!bodies.unknown(k).rotation)
-            force[bodies.unknown(k).axis] = forces[k];
+            force[bodies.unknown(k).axis] =
+              bodies.is_fixed(i) ? now.flow.reactions[k] : forces[k];
         for (unsigned int d = 0; d < dim; ++d)
           {
             table.add(name(axes[d], i), x[i][d]);
@@ -133,6 +136,8 @@ namespace Catena
     if (has_gap)
       table.add("gap",
                 simulation.contact_set().smallest_gap(now.configuration));
+    if (simulation.initial_scene().pressure_driven())
+      table.add("pressure_drop", now.flow.pressure_drop);
     table.add("F_r",
               std::accumulate(forces.begin(), forces.end(), 0.) / stokes_force);
     table.add("held_contacts",

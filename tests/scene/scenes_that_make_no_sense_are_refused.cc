@@ -78,6 +78,14 @@ boxes(Tests::Claims &claims)
           with(&Scene<3>::width, -20.),
           {"'Scene/Width' = -20", "positive"});
   refused(claims,
+          "pressure-driven flow in the quarter",
+          []() {
+            auto scene  = one_particle<3>(Point<3>(), Symmetry::quarter);
+            scene.drive = Drive::pressure;
+            scene.check();
+          },
+          {"'Scene/Domain' = quarter", "half or full"});
+  refused(claims,
           "no width",
           with(&Scene<3>::width, 0.),
           {"'Scene/Width' = 0", "positive"});

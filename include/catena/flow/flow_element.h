@@ -36,6 +36,8 @@ namespace Catena
     std::array<std::array<double, n_nodes>, n_nodes>       component;
     std::array<std::array<double, n_vertices>, n_vertices> mass;
     std::array<double, n_vertices>                         volume;
+    /// int of the shape functions
+    std::array<double, n_nodes> node_volume;
 
     void
     reset(const typename MovingMesh<dim>::Cell &new_cell,
@@ -48,12 +50,13 @@ namespace Catena
           couplings[a] = &all_couplings[new_cell.nodes[a]];
           touches_particle |= couplings[a]->rigid;
         }
-      velocity   = {};
-      divergence = {};
-      rhs        = {};
-      component  = {};
-      mass       = {};
-      volume     = {};
+      velocity    = {};
+      divergence  = {};
+      rhs         = {};
+      component   = {};
+      mass        = {};
+      volume      = {};
+      node_volume = {};
     }
 
     /// K u + B^T p = F, integrated at one point.
@@ -90,7 +93,10 @@ namespace Catena
       const dealii::SymmetricTensor<2, dim> imposed_stress =
         coefficients.stress(imposed_gradient);
       for (unsigned int a = 0; a < n_nodes; ++a)
-        rhs[a] -= point.JxW * (imposed_stress * point.quadratic_gradient[a]);
+        {
+          rhs[a] -= point.JxW * (imposed_stress * point.quadratic_gradient[a]);
+          node_volume[a] += point.JxW * point.quadratic[a];
+        }
 
       for (unsigned int v = 0; v < n_vertices; ++v)
         for (unsigned int b = 0; b < n_nodes; ++b)

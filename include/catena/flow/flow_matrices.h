@@ -30,8 +30,19 @@ namespace Catena
    *   -int q div u' = 0,
    *
    * with L_0 the gradient of the imposed flow and v = v_r the rigid motion on
-   * particles (constraints of velocity_constraints() condensed). Block by
-   * block,
+   * particles (constraints of velocity_constraints() condensed).
+   *
+   * In a pressure-driven scene the pressure is p - P x/L, with p periodic and
+   * P the fall of pressure along a period L, which does the work of the flow
+   * rate Q through the section of the channel (its mean velocity is 1). P is
+   * the last of the unknowns r:
+   *
+   *   right-hand side of the momentum:  + P/L (int v_x + sum_i V_i v_r,i,x),
+   *   -1/L (int u_x + sum_i V_i U_i,x) = -Q,
+   *
+   * with V_i the volumes of the particles, in which the pressure acts as well.
+   *
+   * Block by block,
    *
    *   [ A    B^T  C ] [u']   [f]
    *   [ B    0    D ] [p ] = [g]
@@ -67,6 +78,7 @@ namespace Catena
              const bool                            with_preconditioner,
              const dealii::Function<dim>          *body_force = nullptr);
 
+    /// Number of unknowns r: the rigid-body unknowns, then P if there is one.
     unsigned int
     n_rigid() const
     {
@@ -166,6 +178,12 @@ namespace Catena
 
     void
     add_rigid_blocks(const FlowElement<dim> &element);
+
+    void
+    add_pressure_drop(const FlowElement<dim> &element);
+
+    void
+    add_pressure_drop_on_particles();
 
     void
     add_right_hand_side(const FlowElement<dim> &element);

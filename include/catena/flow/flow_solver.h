@@ -48,6 +48,14 @@ namespace Catena
     std::vector<RigidMotion<dim>> motions;
     /// F_r >= 0, by candidate contact
     std::vector<double> contact_forces;
+    /**
+     * P, by which the pressure falls along a period of a pressure-driven
+     * scene: it is `pressure` - P x/L.
+     */
+    double pressure_drop = 0.;
+    /// force and torque that hold each particle in place, by rigid-body
+    /// unknown, see particle_forces(); found when a particle is held
+    std::vector<double> reactions;
   };
 
 
@@ -73,6 +81,7 @@ namespace Catena
    *
    *   force and torque of the fluid + F_external + F_r = 0,
    *
+   * and, in a pressure-driven scene, with the flow rate,
    * for the disturbance of the imposed shear flow, by FGMRES with
    * FlowPreconditioner, from a first guess improved by EarlierSolutions. The
    * matrices' sparsity is kept as long as the mesh is. The preconditioner is
@@ -97,6 +106,7 @@ namespace Catena
     /**
      * Assemble at the mesh's current positions, and make a new preconditioner
      * if it is due.
+     * @throws SolverError if the stress is not finite
      */
     void
     assemble(const Configuration<dim>    &configuration,
@@ -211,7 +221,7 @@ namespace Catena
                 const std::vector<double> &contact_forces) const;
 
     std::vector<double>
-    motion_unknowns(const FlowFields<dim> &fields) const;
+    global_unknowns(const FlowFields<dim> &fields) const;
 
     double
     target(const BlockVectorType &rhs) const;

@@ -27,6 +27,17 @@ namespace Catena
     dealii::DynamicSparsityPattern nodes, velocities, gradients, divergences,
       masses, velocity_motions, pressure_motions;
   };
+
+
+
+  /**
+   * Number of the unknowns r of FlowMatrices: the rigid-body unknowns, and the
+   * pressure drop of a pressure-driven scene.
+   */
+  template <int dim>
+  unsigned int
+  n_global_unknowns(const MovingMesh<dim>  &mesh,
+                    const RigidBodies<dim> &bodies);
 } // namespace Catena
 
 #endif

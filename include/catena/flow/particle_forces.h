@@ -9,8 +9,10 @@ namespace Catena
    * Force and torque that must act on each whole particle from outside to
    * balance the fluid, by rigid-body unknown: the sums of the nodal reactions
    *
-   *   int (sigma : grad(phi_i e_d)) over the fluid
+   *   int (sigma : grad(phi_i e_d) - P/L phi_i e_x.e_d) over the fluid
    *
+   * (less P/L times the volume of the particle along x, in a scene where the
+   * pressure falls by P along a period L, see FlowMatrices)
    * at the nodes on its surface, each times the velocity of the node for a
    * unit motion, and divided by the meshed share. Zero, to the tolerance of
    * the solver, for a free particle without contacts.

@@ -11,7 +11,8 @@ namespace Catena
 {
   /**
    * The motion against which that of a particle is counted: the imposed shear
-   * flow and its rotation at the centre, or rest while particles are held.
+   * flow and its rotation at the centre, or rest while particles are held; for
+   * a fixed particle rest and no rotation.
    */
   template <int dim>
   std::vector<RigidMotion<dim>>

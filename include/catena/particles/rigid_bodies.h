@@ -35,7 +35,8 @@ namespace Catena
    * and its one (dim = 2) or three rotations.
    *
    * While the particles are held in place their translations are known to be
-   * zero and only the rotations are solved for.
+   * zero and only the rotations are solved for; of a fixed particle not even
+   * these.
    */
   template <int dim>
   class RigidBodies
@@ -70,6 +71,14 @@ namespace Catena
       return shares[unknowns[k].particle];
     }
 
+    /**
+     * Volume (area for dim = 2) of its particle if unknown @p k is the
+     * translation along x, else 0: what a uniform gradient of the pressure
+     * along x does work on.
+     */
+    double
+    displaced_volume(const unsigned int k) const;
+
     void
     hold_in_place(const bool held)
     {
@@ -80,7 +89,18 @@ namespace Catena
     bool
     is_free(const unsigned int k) const
     {
-      return !(held_in_place && !unknowns[k].rotation);
+      return !fixed[unknowns[k].particle] &&
+             !(held_in_place && !unknowns[k].rotation);
+    }
+
+    /// Is any unknown not solved for?
+    bool
+    any_held() const;
+
+    bool
+    is_fixed(const unsigned int particle) const
+    {
+      return fixed[particle];
     }
 
     /// Velocity at @p arm from the centre for a unit value of unknown @p k.
@@ -106,7 +126,8 @@ namespace Catena
   private:
     std::vector<Unknown>      unknowns;
     std::vector<unsigned int> offsets;
-    std::vector<double>       shares;
+    std::vector<double>       shares, volumes;
+    std::vector<bool>         fixed;
     bool                      held_in_place = false;
   };
 } // namespace Catena

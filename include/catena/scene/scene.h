@@ -41,6 +41,21 @@ namespace Catena
   };
 
   /**
+   * What drives the flow.
+   *
+   * - `walls`: they move in opposite directions, u = -y e_x without particles;
+   *   times are in units of 1/gamma.
+   * - `pressure`: the walls are at rest, and the pressure falls by as much
+   *   along a period as it takes for a mean velocity of 1 along x; times are in
+   *   units of a/U, U the mean velocity of the channel.
+   */
+  enum class Drive
+  {
+    walls,
+    pressure
+  };
+
+  /**
    * Boundary ids of a mesh. Surface i of Scene::surfaces() has the id
    * `particle + i`; as long as no particle crosses a plane that bounds the
    * meshed block, surface i is that of particle i.
@@ -71,6 +86,9 @@ namespace Catena
      * particle is meshed and it can only turn.
      */
     bool on_axis = false;
+
+    /// Held in place by whatever force and torque it takes.
+    bool fixed = false;
   };
 
   /**
@@ -133,6 +151,7 @@ namespace Catena
     double   width    = 20.;
     Symmetry symmetry = Symmetry::none;
     Cut      cut      = Cut::x_plane;
+    Drive    drive    = Drive::walls;
 
     /// x of the middle of the meshed period, unless the cut is the plane x = 0
     double window_centre = 0.;
@@ -157,6 +176,17 @@ namespace Catena
     {
       return dim == 3 && symmetry != Symmetry::none;
     }
+
+    bool
+    pressure_driven() const
+    {
+      return drive == Drive::pressure;
+    }
+
+    /// Area of the meshed part of the channel's section x = 0, without
+    /// particles; for dim = 2 its height.
+    double
+    section() const;
 
     /// Corner of the meshed block with the smallest coordinates.
     dealii::Point<dim>
@@ -225,7 +255,8 @@ namespace Catena
 
     /**
      * @throws InputError if the box or the particles make no sense: particles
-     * that overlap each other, a wall or a plane they should not cross.
+     * that overlap each other, a wall or a plane they should not cross, or a
+     * pressure-driven flow with a rotational symmetry it does not have.
      */
     void
     check() const;

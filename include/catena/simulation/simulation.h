@@ -160,9 +160,7 @@ namespace Catena
     next_dt() const;
 
     bool
-    try_step(Level<dim>          &next,
-             std::vector<double> &reactions,
-             StepReport          &report);
+    try_step(Level<dim> &next, StepReport &report);
 
     bool
     contacts_changed(const Level<dim> &next) const;
@@ -189,10 +187,12 @@ namespace Catena
     extrapolated_flow(const TimeStep &step) const;
 
     unsigned int
-    solve_flow(Level<dim>          &next,
-               const TimeStep      &step,
-               const VectorType    &mesh_velocity,
-               std::vector<double> *reactions);
+    solve_flow(Level<dim>       &next,
+               const TimeStep   &step,
+               const VectorType &mesh_velocity);
+
+    void
+    find_reactions(Level<dim> &level, const StressModel<dim> &stress) const;
 
     std::vector<VectorType>
     extrapolated_log_conformation(const TimeStep &step) const;
@@ -203,7 +203,7 @@ namespace Catena
                        const VectorType &mesh_velocity);
 
     void
-    let_go(const std::vector<double> &reactions);
+    let_go();
 
     void
     set_up_solvers();
