@@ -300,6 +300,8 @@ namespace Catena
             finite &= std::isfinite(value);
             extremes.smallest_eigenvalue =
               std::min(extremes.smallest_eigenvalue, std::exp(value));
+            extremes.largest_log =
+              std::max(extremes.largest_log, std::abs(value));
             stretch += std::expm1(value);
           }
         extremes.largest_trace = std::max(extremes.largest_trace, stretch);
@@ -309,6 +311,8 @@ namespace Catena
                         "a smaller time step or a finer mesh.");
     extremes.smallest_eigenvalue =
       Utilities::MPI::min(extremes.smallest_eigenvalue, mesh.communicator());
+    extremes.largest_log =
+      Utilities::MPI::max(extremes.largest_log, mesh.communicator());
     extremes.largest_trace =
       Utilities::MPI::max(extremes.largest_trace, mesh.communicator());
     return extremes;

@@ -10,11 +10,6 @@ namespace Catena
   {
     prm.enter_subsection("Mesh");
     mesh.declare(prm);
-    prm.add_parameter("Gap stretch",
-                      gap_stretch,
-                      "Elements in a narrow gap may be this many times longer "
-                      "along it than across it; 1 for elements of equal sides.",
-                      Patterns::Double());
     prm.add_parameter("Remesh quality",
                       remesh_quality,
                       "A new mesh is made when the quality has fallen below "
@@ -100,10 +95,6 @@ namespace Catena
               reversal_strains[i],
               "choose positive strains in growing order");
     mesh.check();
-    require(gap_stretch >= 1. && gap_stretch <= 20.,
-            "Mesh/Gap stretch",
-            gap_stretch,
-            "choose a factor from 1 to 20, 4 is usual");
     require(remesh_quality > 0. && remesh_quality < 1.,
             "Mesh/Remesh quality",
             remesh_quality,

@@ -1,7 +1,6 @@
 #include <catena/base/exceptions.h>
 #include <catena/conformation/entropy_projection.h>
 #include <catena/mesh/field_transfer.h>
-#include <catena/particles/contacts.h>
 #include <catena/rheology/spectral.h>
 #include <catena/scene/image_in_block.h>
 #include <catena/simulation/remesher.h>
@@ -82,11 +81,6 @@ namespace Catena
 
   namespace
   {
-    /// of a mesh whose particles have been moved together
-    constexpr double smallest_pressed_quality = 0.05;
-
-
-
     /**
      * How well a plane can be meshed at @p distance from the centre of a
      * sphere: badly if it nearly touches the sphere or cuts it near its pole.
@@ -182,71 +176,22 @@ namespace Catena
 
 
 
-  /**
-   * The particles a little apart, so that narrow gaps can be meshed with
-   * elements of equal sides, as many as are wanted across them. Moved to their
-   * true places the particles press the elements flat: they are long along the
-   * gap, where the flow varies slowly.
-   */
-  template <int dim>
-  Configuration<dim>
-  Remesher<dim>::with_wider_gaps(const Configuration<dim> &configuration,
-                                 const double              stretch) const
-  {
-    double smallest_radius = std::numeric_limits<double>::max();
-    for (const Particle<dim> &particle : scene.particles)
-      smallest_radius = std::min(smallest_radius, particle.radius);
-    const double surface_size =
-      2. * numbers::PI * smallest_radius / parameters.mesh.elements_on_equator;
-    const double smallest =
-      Contacts<dim>(scene, parameters.minimal_gap).smallest_gap(configuration);
-    const double wide =
-      std::min(stretch * smallest,
-               parameters.mesh.elements_across_gap * surface_size / 2.);
-
-    Configuration<dim> result = configuration;
-    if (wide > smallest)
-      try
-        {
-          Contacts<dim>(scene, wide).enforce(result);
-        }
-      catch (const SolverError &)
-        {
-          return configuration; // they have no room
-        }
-    return result;
-  }
-
-
-
   template <int dim>
   Discretization<dim>
   Remesher<dim>::make(const Configuration<dim> &configuration) const
   {
-    Configuration<dim> reference  = rounded(configuration);
-    const auto         mesh_there = [&]() {
-      const Scene<dim>    layout = scene_at(reference);
-      Discretization<dim> result;
-      result.mesh = std::make_unique<MovingMesh<dim>>(
-        communicator,
-        layout,
-        mesh_on_all_ranks<dim>(layout, parameters.mesh, communicator));
-      result.mover = std::make_unique<MeshMover<dim>>(*result.mesh, reference);
-      result.mesh->set_positions(result.mover->positions(configuration));
-      result.initial_quality = result.mesh->quality();
-      return result;
-    };
+    const Configuration<dim> reference = rounded(configuration);
+    const Scene<dim>         layout    = scene_at(reference);
 
-    // less stretched where coarse surfaces would press elements through
-    for (double stretch = parameters.gap_stretch; stretch >= 2.; stretch /= 2.)
-      {
-        reference = rounded(with_wider_gaps(configuration, stretch));
-        Discretization<dim> stretched = mesh_there();
-        if (stretched.initial_quality >= smallest_pressed_quality)
-          return stretched;
-      }
-    reference = rounded(configuration);
-    return mesh_there();
+    Discretization<dim> result;
+    result.mesh = std::make_unique<MovingMesh<dim>>(
+      communicator,
+      layout,
+      mesh_on_all_ranks<dim>(layout, parameters.mesh, communicator));
+    result.mover = std::make_unique<MeshMover<dim>>(*result.mesh, reference);
+    result.initial_quality = result.mesh->quality();
+    result.mesh->set_positions(result.mover->positions(configuration));
+    return result;
   }
 
 

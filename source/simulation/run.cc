@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <sstream>
 
 namespace Catena
 {
@@ -66,6 +67,47 @@ namespace Catena
 
 
 
+  namespace
+  {
+    /**
+     * Says once when the conformation is stretched so far that no mesh of this
+     * kind resolves its layers, as in a fluid whose stress has no bound in a
+     * steady extension (alpha = 0): such a run may have no steady state.
+     */
+    class HealthWatch
+    {
+    public:
+      void
+      look_at(const ConformationExtremes &extremes,
+              const double                strain,
+              Progress                   &progress,
+              RunReport                  &report)
+      {
+        largest = std::max(largest, extremes.largest_log);
+        report.note("largest |log c|", largest);
+        if (warned || largest < suspicious_log)
+          return;
+        warned = true;
+        report.note("health warning from strain", strain);
+        std::ostringstream text;
+        text << "Warning: at strain " << strain
+             << " the log-conformation has reached " << largest
+             << ". The stress beside the particles is not resolved, and it may "
+                "have no steady state.";
+        progress.message(text.str());
+      }
+
+    private:
+      /// a stretch of e^8 = 3000 in c
+      static constexpr double suspicious_log = 8.;
+
+      double largest = 0.;
+      bool   warned  = false;
+    };
+  } // namespace
+
+
+
   template <int dim>
   void
   run_simulation(const Scene<dim>           &scene,
@@ -93,11 +135,17 @@ namespace Catena
       fields.write_if_due(simulation);
     };
 
+    HealthWatch health;
     record(StepReport());
     while (simulation.strain() < parameters.final_strain - 1e-9)
       {
         const StepReport step = simulation.advance();
         record(step);
+        if (parameters.viscoelastic())
+          health.look_at(step.extremes,
+                         simulation.strain(),
+                         progress,
+                         simulation.report());
         Progress::Status status;
         status.strain = simulation.strain();
         if (scene.line)

@@ -220,6 +220,9 @@ namespace Catena
     if (last_held_step)
       let_go();
 
+    if (conformation_solver)
+      result.extremes =
+        conformation_extremes<dim>(mesh(), state.now.log_conformation);
     run_report.count("flow iterations", result.flow_iterations);
     run_report.count("remeshes", result.remeshed ? 1 : 0);
     result.seconds = wall_clock() - begin;

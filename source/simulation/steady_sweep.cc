@@ -128,14 +128,13 @@ namespace Catena
         result.change = recent.change();
         result.steady = recent.is_full() && result.change < tolerance;
         ++result.steps;
+        result.extremes = step.extremes;
         progress.update(
           {simulation.strain(), {}, step.dt, step.flow_iterations});
       }
     progress.finish();
-    result.value    = quantity.value(simulation);
-    result.strain   = simulation.strain();
-    result.extremes = conformation_extremes<dim>(
-      simulation.mesh(), simulation.current_state().now.log_conformation);
+    result.value  = quantity.value(simulation);
+    result.strain = simulation.strain();
     return result;
   }
 

@@ -1,4 +1,3 @@
-#include <catena/conformation/conformation_solver.h>
 #include <catena/simulation/trajectory.h>
 
 #include <deal.II/base/numbers.h>
@@ -79,6 +78,7 @@ namespace Catena
     table.declare("held_contacts");
     table.declare("smallest_eigenvalue_c");
     table.declare("largest_trace_tau", "G");
+    table.declare("largest_log_c");
     table.declare("mesh_quality");
     table.declare("elements");
     table.declare("remeshed");
@@ -150,20 +150,6 @@ namespace Catena
 
   template <int dim>
   void
-  Trajectory<dim>::add_conformation()
-  {
-    ConformationExtremes extremes;
-    const auto          &s = simulation.current_state().now.log_conformation;
-    if (!s.empty())
-      extremes = conformation_extremes<dim>(simulation.mesh(), s);
-    table.add("smallest_eigenvalue_c", extremes.smallest_eigenvalue);
-    table.add("largest_trace_tau", extremes.largest_trace);
-  }
-
-
-
-  template <int dim>
-  void
   Trajectory<dim>::record(const StepReport &step)
   {
     const Level<dim> &now = simulation.current_state().now;
@@ -174,7 +160,9 @@ namespace Catena
       table.add("theta", now.configuration.frame_angle * 180. / numbers::PI);
     add_particles();
     add_contacts();
-    add_conformation();
+    table.add("smallest_eigenvalue_c", step.extremes.smallest_eigenvalue);
+    table.add("largest_trace_tau", step.extremes.largest_trace);
+    table.add("largest_log_c", step.extremes.largest_log);
     table.add("mesh_quality", simulation.mesh().quality());
     table.add("elements", simulation.mesh().n_global_cells());
     table.add("remeshed", step.remeshed ? 1. : 0.);

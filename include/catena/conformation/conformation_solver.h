@@ -130,6 +130,7 @@ namespace Catena
   {
     double smallest_eigenvalue = 1.; ///< of c
     double largest_trace       = 0.; ///< tr(c - I) = tr(tau)/G
+    double largest_log         = 0.; ///< largest |eigenvalue| of s = log(c)
   };
 
   /**

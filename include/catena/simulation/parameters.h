@@ -32,8 +32,6 @@ namespace Catena
     std::vector<double> reversal_strains;
 
     MeshParameters mesh;
-    /// elements in a narrow gap are up to this much longer than high
-    double gap_stretch = 4.;
     /// remesh below this fraction of the quality of a new mesh
     double remesh_quality = 0.35;
     /// remesh below this fraction of the wanted elements across a gap

@@ -55,10 +55,6 @@ namespace Catena
     Scene<dim>
     scene_at(const Configuration<dim> &configuration) const;
 
-    Configuration<dim>
-    with_wider_gaps(const Configuration<dim> &configuration,
-                    const double              stretch) const;
-
     /// Represent each particle by its image in the block of @p layout.
     void
     choose_images(const Scene<dim>   &layout,

@@ -24,7 +24,9 @@ namespace Catena
     unsigned int flow_iterations         = 0;
     unsigned int conformation_iterations = 0;
     bool         remeshed                = false;
-    double       seconds                 = 0.;
+    /// of the conformation after the step
+    ConformationExtremes extremes;
+    double               seconds = 0.;
   };
 
 

@@ -38,9 +38,6 @@ namespace Catena
 
     void
     add_contacts();
-
-    void
-    add_conformation();
   };
 } // namespace Catena
 
