@@ -156,8 +156,9 @@ namespace Catena
                 s_hat += point.linear[v] * (extrapolation.b0 * s[v] +
                                             extrapolation.b1 * s_old[v]);
               }
-            const auto   spectrum   = spectral_decomposition<dim>(s_hat);
-            const double relaxation = model.fastest_relaxation(spectrum);
+            const auto   spectrum = spectral_decomposition<dim>(s_hat);
+            const double relaxation =
+              std::max(0., model.fastest_relaxation(spectrum) - 1. / step.dt);
             SymmetricTensor<2, dim> known =
               history + model.log_conformation_rate(L, spectrum) +
               relaxation * s_hat;

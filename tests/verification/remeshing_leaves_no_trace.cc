@@ -1,7 +1,7 @@
-// A pair held at the smallest gap in a fluid of high elasticity, on a coarse
-// mesh: with a new mesh at a given instant and without one the velocities and
-// the force in the contact are nearly the same, in the step with the new mesh
-// and in those after it.
+// A pair held at the smallest gap in a fluid of high elasticity, on a rather
+// coarse mesh: with a new mesh at a given instant and without one the
+// velocities and the force in the contact are nearly the same, in the step with
+// the new mesh and in those after it.
 
 #include <catena/scene/line_of_particles.h>
 #include <catena/simulation/simulation.h>
@@ -33,8 +33,8 @@ simulate(const bool remesh)
   giesekus.solvent_viscosity_ratio    = 0.1;
   parameters.final_strain             = 1.48;
   parameters.step_control.time_step   = 0.12;
-  parameters.mesh.elements_on_equator = 32;
-  parameters.mesh.elements_across_gap = 1;
+  parameters.mesh.elements_on_equator = 48;
+  parameters.mesh.elements_across_gap = 2;
   parameters.remesh_quality           = 1e-3;
 
   Simulation<3> simulation(scene.scene<3>(), parameters, MPI_COMM_WORLD);
@@ -74,7 +74,7 @@ main(int argc, char **argv)
       return difference;
     };
     claims.at_most("spin [gamma]", largest(&Instant::spin), 2.5e-3);
-    claims.at_most("velocity [a gamma]", largest(&Instant::velocity), 2.5e-3);
-    claims.at_most("force [F_S]", largest(&Instant::force), 4e-3);
+    claims.at_most("velocity [a gamma]", largest(&Instant::velocity), 4e-3);
+    claims.at_most("force [F_S]", largest(&Instant::force), 2e-3);
   });
 }

@@ -44,10 +44,10 @@ namespace Catena
    *   (a0 s + a1 s^n + a2 s^(n-1))/dt + w.grad s = g(L, s^) - k (s - s^),
    *
    * with w = u - u_mesh, L the gradient of the new velocity, s^ the
-   * extrapolation from the last two levels, g the rate of
-   * Giesekus::log_conformation_rate() and k Giesekus::fastest_relaxation():
-   * where c is small in some direction, s relaxes there faster than g(L, s^)
-   * could follow in a time step. P1 elements; streamline-upwind
+   * extrapolation from the last two levels, and g the rate of
+   * Giesekus::log_conformation_rate(). k is what Giesekus::fastest_relaxation()
+   * has above 1/dt, mostly nothing: the explicit g(L, s^) alone is stable up to
+   * 4/3 of 1/dt, and with k always. P1 elements; streamline-upwind
    * Petrov-Galerkin test functions
    *
    *   v + tau w.grad v,  tau = ((a0/dt + k)^2 + (2|w|/h)^2)^(-1/2),
