@@ -7,7 +7,6 @@
 
 #include <deal.II/lac/solver_cg.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace Catena
@@ -102,15 +101,12 @@ namespace Catena
       const auto &identification = projection.identification;
       const auto &cells          = projection.mesh.cells();
       for (unsigned int c = 0; c < cells.size(); ++c)
-        for (const unsigned int vertex : cells[c].vertices)
+        for (unsigned int v = 0; v < n_vertices; ++v)
           {
+            const unsigned int vertex = cells[c].vertices[v];
             const unsigned int master = identification.master(vertex);
             if (!owned.is_element(master))
               continue;
-            const unsigned int v = std::find(cells[c].vertices.begin(),
-                                             cells[c].vertices.end(),
-                                             vertex) -
-                                   cells[c].vertices.begin();
             FullMatrix<double> &block = blocks[owned.index_within_set(master)];
             for (std::size_t q = projection.first_points[c];
                  q < projection.first_points[c + 1];

@@ -501,7 +501,8 @@ namespace Catena
       {
         std::array<double, FlowElement<dim>::n_nodes> factors;
         for (unsigned int a = 0; a < FlowElement<dim>::n_nodes; ++a)
-          factors[a] = component->factor(*element.couplings[a]);
+          factors[a] =
+            element.couplings[a]->shared_factor(component->components);
         for (unsigned int a = 0; a < FlowElement<dim>::n_nodes; ++a)
           {
             const NodeCoupling<dim> &test = *element.couplings[a];
@@ -544,7 +545,8 @@ namespace Catena
             fix(velocity_access, dim * node + d);
         if (with_preconditioner)
           for (const auto &component : component_matrices)
-            if (coupling.master != node || component->factor(coupling) == 0.)
+            if (coupling.master != node ||
+                coupling.shared_factor(component->components) == 0.)
               fix(component->access, node);
       }
     if (with_preconditioner)

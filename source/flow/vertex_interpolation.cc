@@ -17,13 +17,6 @@ namespace Catena
     const auto is_vertex = [&](const unsigned int node) {
       return mesh.edge_ends(node)[0] == mesh.edge_ends(node)[1];
     };
-    const auto factor = [&](const unsigned int node) {
-      for (const unsigned int d : components)
-        if (couplings[node].factors[d] != 0.)
-          return couplings[node].factors[d];
-      return 0.;
-    };
-
     for (const auto node : mesh.owned_nodes())
       {
         FieldMask mask = 0;
@@ -61,9 +54,11 @@ namespace Catena
           prolongation.add(numbers(node), 1.f);
         else
           for (const unsigned int end : mesh.edge_ends(node))
-            if (factor(end) != 0.)
-              prolongation.add(numbers(couplings[end].master),
-                               0.5 * factor(end));
+            {
+              const double factor = couplings[end].shared_factor(components);
+              if (factor != 0.)
+                prolongation.add(numbers(couplings[end].master), 0.5 * factor);
+            }
         prolongation.end_row();
       }
   }

@@ -253,11 +253,13 @@ namespace Catena
 
         next.flow = extrapolated_flow(step);
         report.flow_iterations += solve_flow(next, step, velocity_of_mesh);
+        const auto predicted  = extrapolated_log_conformation(step);
+        next.log_conformation = predicted;
         if (conformation_solver)
           report.conformation_iterations =
             solve_conformation(next, step, velocity_of_mesh);
         report.dt    = step.dt;
-        report.error = step_error(next, step);
+        report.error = step_error(next, predicted, step);
         return step_control.accept(step.dt, report.error);
       }
     catch (const SolverError &)
@@ -299,8 +301,9 @@ namespace Catena
    */
   template <int dim>
   double
-  Simulation<dim>::step_error(const Level<dim> &next,
-                              const TimeStep   &step) const
+  Simulation<dim>::step_error(const Level<dim>              &next,
+                              const std::vector<VectorType> &predicted,
+                              const TimeStep                &step) const
   {
     const TwoLevelWeights weights = step.adams_bashforth();
     // errors (2 dt + 3 dt') and -dt, times dt^2/12 and the third derivative
@@ -320,9 +323,8 @@ namespace Catena
         }
     ConformationChange change;
     if (conformation_solver)
-      change = conformation_change<dim>(mesh(),
-                                        next.log_conformation,
-                                        extrapolated_log_conformation(step));
+      change =
+        conformation_change<dim>(mesh(), next.log_conformation, predicted);
     if (!(change.largest <= largest_change) ||
         !std::isfinite(next.flow.velocity.l2_norm()))
       throw SolverError(
@@ -587,18 +589,20 @@ namespace Catena
 
 
 
+  /**
+   * With the log-conformation of @p next as first guess.
+   */
   template <int dim>
   unsigned int
   Simulation<dim>::solve_conformation(Level<dim>       &next,
                                       const TimeStep   &step,
                                       const VectorType &mesh_velocity)
   {
-    const auto  timer     = run_report.time("conformation");
-    const auto &now       = state.now.log_conformation;
-    const auto &before    = state.before.log_conformation.empty() ?
-                              now :
-                              state.before.log_conformation;
-    next.log_conformation = extrapolated_log_conformation(step);
+    const auto  timer  = run_report.time("conformation");
+    const auto &now    = state.now.log_conformation;
+    const auto &before = state.before.log_conformation.empty() ?
+                           now :
+                           state.before.log_conformation;
     return conformation_solver->solve(next.log_conformation,
                                       now,
                                       before,

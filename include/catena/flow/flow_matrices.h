@@ -115,16 +115,6 @@ namespace Catena
       std::vector<unsigned int>              components;
       dealii::TrilinosWrappers::SparseMatrix matrix;
       CsrAccess                              access;
-
-      /// Factor of a node, 0 if no component has an unknown there.
-      double
-      factor(const NodeCoupling<dim> &coupling) const
-      {
-        for (const unsigned int d : components)
-          if (coupling.factors[d] != 0.)
-            return coupling.factors[d];
-        return 0.;
-      }
     };
     std::vector<std::unique_ptr<ComponentMatrix>> component_matrices;
 

@@ -37,6 +37,17 @@ namespace Catena
           return true;
       return false;
     }
+
+    /// The factor that @p components share where they have an unknown, 0 if
+    /// none of them has one.
+    double
+    shared_factor(const std::vector<unsigned int> &components) const
+    {
+      for (const unsigned int d : components)
+        if (factors[d] != 0.)
+          return factors[d];
+      return 0.;
+    }
   };
 
   /**

@@ -168,7 +168,9 @@ namespace Catena
     contacts_changed(const Level<dim> &next) const;
 
     double
-    step_error(const Level<dim> &next, const TimeStep &step) const;
+    step_error(const Level<dim>              &next,
+               const std::vector<VectorType> &predicted,
+               const TimeStep                &step) const;
 
     double
     shear_rate() const;
