@@ -15,6 +15,15 @@ namespace Catena
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Upwinding looks back over a quarter of the time in which the fluid
+    /// deforms or relaxes: longer smears the layers at the particles.
+    constexpr double flow_rates = 4.;
+  } // namespace
+
+
+
   void
   ConformationSolverParameters::declare(ParameterHandler &prm)
   {
@@ -123,18 +132,30 @@ namespace Catena
           rhs = 0.;
       }
 
-    CellValues<dim> values;
+    CellValues<dim>                         values;
+    std::vector<SymmetricTensor<2, dim>>    extrapolated;
+    std::vector<SpectralDecomposition<dim>> spectra;
     for (const auto &cell : mesh->cells())
       {
         const auto positions = mesh->cell_positions(cell, mesh->positions());
         values.reinit(positions, cell.curved);
-        const auto s     = vertex_tensors<dim>(cell, old);
-        const auto s_old = vertex_tensors<dim>(cell, older);
+        const unsigned int n_points = values.points().size();
+        const auto         s        = vertex_tensors<dim>(cell, old);
+        const auto         s_old    = vertex_tensors<dim>(cell, older);
+
+        extrapolated.assign(n_points, SymmetricTensor<2, dim>());
+        for (unsigned int q = 0; q < n_points; ++q)
+          for (unsigned int v = 0; v < n_vertices; ++v)
+            extrapolated[q] +=
+              values.points()[q].linear[v] *
+              (extrapolation.b0 * s[v] + extrapolation.b1 * s_old[v]);
+        spectral_decompositions(extrapolated, spectra);
 
         std::array<std::array<double, n_vertices>, n_vertices> matrix{};
         std::array<SymmetricTensor<2, dim>, n_vertices>        rhs;
-        for (const auto &point : values.points())
+        for (unsigned int q = 0; q < n_points; ++q)
           {
+            const auto    &point = values.points()[q];
             Tensor<1, dim> w;
             Tensor<2, dim> L;
             Point<dim>     x;
@@ -148,20 +169,15 @@ namespace Catena
                   x[d] += point.quadratic[a] * positions[a][d];
                 }
 
-            SymmetricTensor<2, dim> history, s_hat;
+            SymmetricTensor<2, dim> history;
             for (unsigned int v = 0; v < n_vertices; ++v)
-              {
-                history -= point.linear[v] / step.dt *
-                           (bdf.a1 * s[v] + bdf.a2 * s_old[v]);
-                s_hat += point.linear[v] * (extrapolation.b0 * s[v] +
-                                            extrapolation.b1 * s_old[v]);
-              }
-            const auto   spectrum = spectral_decomposition<dim>(s_hat);
+              history -=
+                point.linear[v] / step.dt * (bdf.a1 * s[v] + bdf.a2 * s_old[v]);
             const double relaxation =
-              std::max(0., model.fastest_relaxation(spectrum) - 1. / step.dt);
+              std::max(0., model.fastest_relaxation(spectra[q]) - 1. / step.dt);
             SymmetricTensor<2, dim> known =
-              history + model.log_conformation_rate(L, spectrum) +
-              relaxation * s_hat;
+              history + model.log_conformation_rate(L, spectra[q]) +
+              relaxation * extrapolated[q];
             if (source)
               known += source(x);
 
@@ -174,7 +190,11 @@ namespace Catena
                 crossing_rate += std::abs(along_w[v]);
               }
             const double rate = bdf.a0 / step.dt + relaxation;
-            const double tau  = 1. / std::hypot(rate, crossing_rate);
+            // without dt, so that a steady state has no memory of the step
+            const double tau =
+              1. /
+              std::hypot(flow_rates * (1. / model.relaxation_time() + L.norm()),
+                         crossing_rate);
 
             for (unsigned int v = 0; v < n_vertices; ++v)
               {

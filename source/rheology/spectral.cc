@@ -4,92 +4,129 @@
 #include <algorithm>
 #include <limits>
 
+#include <experimental/simd>
+
 namespace Catena
 {
   using namespace dealii;
 
   namespace
   {
+    namespace simd = std::experimental;
+
     /**
-     * A symmetric tensor on its way to diagonal form, together with the
-     * product of the rotations applied to it.
+     * Symmetric tensors on their way to diagonal form, one in each lane of
+     * @p Number, together with the product of the rotations applied to them.
      */
-    template <int dim>
+    template <int dim, typename Number>
     struct Jacobi
     {
-      double a[dim][dim];
-      double r[dim][dim];
+      Number a[dim][dim];
+      Number r[dim][dim];
 
-      /// Whether a[p][q] changes no eigenvalue and no eigenvector beyond
-      /// rounding, judged by both rows it couples.
-      template <int p, int q>
-      bool
-      negligible(const double floor) const
+      /// Takes a tensor into a lane.
+      void
+      set(const unsigned int lane, const SymmetricTensor<2, dim> &s)
       {
-        constexpr double epsilon = std::numeric_limits<double>::epsilon() / 8.;
-        const double     square  = a[p][q] * a[p][q];
-        return !(square > epsilon * epsilon * std::abs(a[p][p] * a[q][q]) &&
-                 square > floor);
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j < dim; ++j)
+            a[i][j][lane] = s[i][j];
       }
 
-      /// Rotate the plane (p, q) so that a[p][q], p < q, becomes zero.
+      /// Rotate the plane (p, q) so that a[p][q], p < q, becomes zero where
+      /// that changes an eigenvalue or an eigenvector beyond rounding, judged
+      /// by both rows it couples; returns whether it does anywhere.
       template <int p, int q>
-      void
-      rotate()
+      bool
+      rotate(const Number &floor)
       {
+        constexpr double epsilon = std::numeric_limits<double>::epsilon() / 8.;
+        const Number     square  = a[p][q] * a[p][q];
+        const auto       rotates =
+          square > epsilon * epsilon * abs(a[p][p] * a[q][q]) && square > floor;
+        if (none_of(rotates))
+          return false;
+
         // With tan(2 theta) = twice/difference: the smaller of the two angles.
-        const double difference = a[q][q] - a[p][p];
-        const double twice      = 2. * a[p][q];
-        const double root  = std::sqrt(difference * difference + twice * twice);
-        const double sum   = difference + std::copysign(root, difference);
-        const double scale = 1. / std::sqrt(sum * sum + twice * twice);
-        const double tangent = twice / sum;
-        const double cosine  = std::abs(sum) * scale;
-        const double sine    = std::copysign(scale, difference) * twice;
+        Number difference           = a[q][q] - a[p][p];
+        Number twice                = 2. * a[p][q];
+        where(!rotates, difference) = 1.;
+        where(!rotates, twice)      = 0.;
+        const Number root    = sqrt(difference * difference + twice * twice);
+        const Number sum     = difference + copysign(root, difference);
+        const Number scale   = 1. / sqrt(sum * sum + twice * twice);
+        const Number tangent = twice / sum;
+        const Number cosine  = abs(sum) * scale;
+        const Number sine    = copysign(scale, difference) * twice;
 
         a[p][p] -= tangent * a[p][q];
         a[q][q] += tangent * a[p][q];
-        a[p][q] = 0.;
+        where(rotates, a[p][q]) = 0.;
 
         if constexpr (dim == 3)
           {
             constexpr int other  = 3 - p - q;
-            double       &first  = (other < p ? a[other][p] : a[p][other]);
-            double       &second = (other < q ? a[other][q] : a[q][other]);
-            const double  old    = first;
+            Number       &first  = (other < p ? a[other][p] : a[p][other]);
+            Number       &second = (other < q ? a[other][q] : a[q][other]);
+            const Number  old    = first;
             first                = cosine * old - sine * second;
             second               = sine * old + cosine * second;
           }
 
         for (int i = 0; i < dim; ++i)
           {
-            const double old = r[i][p];
+            const Number old = r[i][p];
             r[i][p]          = cosine * old - sine * r[i][q];
             r[i][q]          = sine * old + cosine * r[i][q];
           }
-      }
-
-      /// One rotation if it has an effect; returns whether it had.
-      template <int p, int q>
-      bool
-      reduce(const double floor)
-      {
-        if (negligible<p, q>(floor))
-          return false;
-        rotate<p, q>();
         return true;
       }
 
       bool
-      sweep(const double floor)
+      sweep(const Number &floor)
       {
-        bool changed = reduce<0, 1>(floor);
+        bool changed = rotate<0, 1>(floor);
         if constexpr (dim == 3)
           {
-            changed |= reduce<0, 2>(floor);
-            changed |= reduce<1, 2>(floor);
+            changed |= rotate<0, 2>(floor);
+            changed |= rotate<1, 2>(floor);
           }
         return changed;
+      }
+
+      void
+      diagonalize()
+      {
+        Number square = 0.;
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j < dim; ++j)
+            {
+              r[i][j] = (i == j ? 1. : 0.);
+              square += a[i][j] * a[i][j];
+            }
+
+        // Convergence is quadratic: four sweeps are the rule.
+        constexpr unsigned int max_sweeps = 20;
+        const Number           floor      = 1e-60 * square;
+        for (unsigned int n = 0; n < max_sweeps && sweep(floor); ++n)
+          {}
+
+        for (unsigned int i = 0; i < dim; ++i)
+          where(!isfinite(square), a[i][i]) =
+            std::numeric_limits<double>::quiet_NaN();
+      }
+
+      SpectralDecomposition<dim>
+      result(const unsigned int lane) const
+      {
+        SpectralDecomposition<dim> d;
+        for (unsigned int i = 0; i < dim; ++i)
+          {
+            d.values[i] = a[i][i][lane];
+            for (unsigned int j = 0; j < dim; ++j)
+              d.vectors[i][j] = r[i][j][lane];
+          }
+        return d;
       }
     };
   } // namespace
@@ -100,34 +137,33 @@ namespace Catena
   SpectralDecomposition<dim>
   spectral_decomposition(const SymmetricTensor<2, dim> &s)
   {
-    Jacobi<dim> jacobi;
-    double      square = 0.;
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = 0; j < dim; ++j)
-        {
-          jacobi.a[i][j] = s[i][j];
-          jacobi.r[i][j] = (i == j ? 1. : 0.);
-          square += s[i][j] * s[i][j];
-        }
+    Jacobi<dim, simd::simd<double, simd::simd_abi::scalar>> jacobi;
+    jacobi.set(0, s);
+    jacobi.diagonalize();
+    return jacobi.result(0);
+  }
 
-    // Convergence is quadratic: four sweeps are the rule.
-    constexpr unsigned int max_sweeps = 20;
-    const double           floor      = 1e-60 * square;
-    for (unsigned int n = 0; n < max_sweeps && jacobi.sweep(floor); ++n)
-      {}
 
-    if (!std::isfinite(square))
-      for (unsigned int i = 0; i < dim; ++i)
-        jacobi.a[i][i] = std::numeric_limits<double>::quiet_NaN();
 
-    SpectralDecomposition<dim> d;
-    for (unsigned int i = 0; i < dim; ++i)
+  template <int dim>
+  void
+  spectral_decompositions(const std::vector<SymmetricTensor<2, dim>> &tensors,
+                          std::vector<SpectralDecomposition<dim>>    &spectra)
+  {
+    using Lanes = simd::native_simd<double>;
+    spectra.resize(tensors.size());
+    for (std::size_t first = 0; first < tensors.size(); first += Lanes::size())
       {
-        d.values[i] = jacobi.a[i][i];
-        for (unsigned int j = 0; j < dim; ++j)
-          d.vectors[i][j] = jacobi.r[i][j];
+        Jacobi<dim, Lanes> jacobi;
+        // the last tensor also fills the lanes that are left
+        for (unsigned int lane = 0; lane < Lanes::size(); ++lane)
+          jacobi.set(lane, tensors[std::min(first + lane, tensors.size() - 1)]);
+        jacobi.diagonalize();
+        for (unsigned int lane = 0;
+             lane < Lanes::size() && first + lane < tensors.size();
+             ++lane)
+          spectra[first + lane] = jacobi.result(lane);
       }
-    return d;
   }
 
 
@@ -251,6 +287,9 @@ namespace Catena
 
   template SpectralDecomposition<2>
   spectral_decomposition(const SymmetricTensor<2, 2> &);
+  template void
+  spectral_decompositions(const std::vector<SymmetricTensor<2, 2>> &,
+                          std::vector<SpectralDecomposition<2>> &);
   template SymmetricTensor<2, 2>
   compose(const SpectralDecomposition<2> &);
   template SymmetricTensor<2, 2>
@@ -266,6 +305,9 @@ namespace Catena
 
   template SpectralDecomposition<3>
   spectral_decomposition(const SymmetricTensor<2, 3> &);
+  template void
+  spectral_decompositions(const std::vector<SymmetricTensor<2, 3>> &,
+                          std::vector<SpectralDecomposition<3>> &);
   template SymmetricTensor<2, 3>
   compose(const SpectralDecomposition<3> &);
   template SymmetricTensor<2, 3>

@@ -1,5 +1,6 @@
 #include <catena/base/exceptions.h>
 #include <catena/conformation/conformation_change.h>
+#include <catena/conformation/strain_rate_projection.h>
 #include <catena/flow/carreau_stress.h>
 #include <catena/flow/particle_forces.h>
 #include <catena/flow/stress_prediction.h>
@@ -471,6 +472,24 @@ namespace Catena
 
 
 
+  /// At the present instant, by the central difference.
+  template <int dim>
+  VectorType
+  Simulation<dim>::old_mesh_velocity(const Level<dim> &next,
+                                     const TimeStep   &step) const
+  {
+    const double ahead = 1. / (step.dt * (1. + step.ratio()));
+    const double behind =
+      step.ratio() / (step.previous_dt * (1. + step.ratio()));
+    VectorType result = next.positions;
+    result.sadd(ahead, behind - ahead, state.now.positions);
+    result.add(-behind, state.before.positions);
+    result.update_ghost_values();
+    return result;
+  }
+
+
+
   template <int dim>
   FlowFields<dim>
   Simulation<dim>::extrapolated_flow(const TimeStep &step) const
@@ -527,20 +546,35 @@ namespace Catena
       }
 
     const Level<dim>                 &now = state.now, &before = state.before;
-    VectorType                        convection;
+    VectorType                        convection, old_convection;
+    std::vector<VectorType>           smooth_strain_rate;
     std::unique_ptr<StressModel<dim>> stress;
     if (parameters.viscoelastic())
       {
         convection = next.flow.velocity;
         convection -= mesh_velocity;
         convection.update_ghost_values();
+        if (step.has_previous())
+          {
+            old_convection = now.flow.velocity;
+            old_convection -= old_mesh_velocity(next, step);
+            old_convection.update_ghost_values();
+          }
+        const Giesekus<dim> model(parameters.fluid.giesekus);
+        if (step.has_previous() &&
+            StressPrediction<dim>::numerical_viscosity(model) > 0.)
+          smooth_strain_rate =
+            StrainRateProjection<dim>(mesh()).project(now.flow.velocity);
         stress = std::make_unique<StressPrediction<dim>>(
-          Giesekus<dim>(parameters.fluid.giesekus),
+          model,
           step,
           now.log_conformation,
           before.log_conformation.empty() ? now.log_conformation :
                                             before.log_conformation,
-          convection);
+          convection,
+          now.flow.velocity,
+          old_convection,
+          smooth_strain_rate);
       }
     else
       stress = std::make_unique<NewtonianStress<dim>>();

@@ -4,6 +4,7 @@
 // and to 1e-8 when they are extrapolated, and its steady state the closed form.
 // Our shear is u_x = -y, the references' u_x = +y: c_xy changes sign.
 
+#include <catena/conformation/strain_rate_projection.h>
 #include <catena/flow/stress_prediction.h>
 #include <catena/rheology/shear_flow.h>
 #include <catena/simulation/simulation.h>
@@ -100,11 +101,18 @@ simulate(const Scene<dim>         &scene,
     }
 
   // what the flow of the next step takes for the stress
+  std::vector<VectorType> smooth_strain_rate;
+  if (StressPrediction<dim>::numerical_viscosity(Giesekus<dim>(fluid)) > 0.)
+    smooth_strain_rate =
+      StrainRateProjection<dim>(mesh).project(state.now.flow.velocity);
   const StressPrediction<dim>          prediction(Giesekus<dim>(fluid),
                                          {report.dt, report.dt},
                                          s,
                                          state.before.log_conformation,
-                                         state.now.flow.velocity);
+                                         state.now.flow.velocity,
+                                         state.now.flow.velocity,
+                                         state.now.flow.velocity,
+                                         smooth_strain_rate);
   std::vector<StressCoefficients<dim>> coefficients;
   CellValues<dim>                      values;
   const auto                          &cell = mesh.cells().front();

@@ -22,7 +22,7 @@ namespace Catena
   struct FlowSolverParameters
   {
     /// residual against the right-hand side of the disturbance problem
-    double       tolerance      = 1e-7;
+    double       tolerance      = 1e-6;
     unsigned int max_iterations = 300;
 
     void

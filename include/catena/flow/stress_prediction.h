@@ -12,24 +12,46 @@ namespace Catena
 {
   /**
    * The viscoelastic stress predicted in terms of the new velocity gradient L
-   * (D'Avino & Hulsen, J. Non-Newtonian Fluid Mech. 165 (2010) 1602),
+   * (after D'Avino & Hulsen, J. Non-Newtonian Fluid Mech. 165 (2010) 1602),
    *
-   *   sigma + p I = 2 beta D + G (c_pred - I),
-   *   c_pred = -(a1 c^n + a2 c^(n-1))/a0
-   *            + (dt/a0) [ -w.grad c^ + L c^ + c^ L^T + f(c^) ],
+   *   sigma + p I = 2 beta D + G (c_pred - I).
    *
-   * with the BDF coefficients a, the velocity w = u^ - u_mesh against the
-   * mesh, and ^ the extrapolation to the new instant; c^ = exp(s^) stays
-   * positive. The tensor viscosity is H = beta I + (G dt/a0) c^: the momentum
+   * c_pred continues the last change of c by the change of its rate
+   * R = -w.grad c + L c + c L^T + f(c), with w = u - u_mesh,
+   *
+   *   c_pred = c^n + dt (c^n - c^(n-1))/dt' + (dt + dt')/2 (R^ - R^n),
+   *
+   * where R^ has the new L, and c^ and w^ extrapolated to the new instant;
+   * c^ = exp(s^) stays positive. Its error is of third order, and a steady c is
+   * predicted exactly, although it satisfies R = 0 only in the mean over the
+   * elements. Without a previous step, c_pred = c^n + dt R^.
+   *
+   * The tensor viscosity is H = beta I + G (dt + dt')/2 c^: the momentum
    * balance is well posed also without solvent.
+   *
+   * With little solvent, motions that the continuous P1 stress does not see are
+   * held by the part with c^ alone and grow the sooner the smaller the steps
+   * are. Then a numerical viscosity is added on them, 2 theta (D - D_h^n) with
+   * the smooth rate of strain D_h^n of the last instant (discrete
+   * elastic-viscous stress splitting, Guenette & Fortin, J. Non-Newtonian Fluid
+   * Mech. 60 (1995) 27): first order in time, nothing at a steady smooth flow.
    */
   template <int dim>
   class StressPrediction : public StressModel<dim>
   {
   public:
+    /// Numerical viscosity theta of a fluid: what its solvent has less than
+    /// 0.1 eta0.
+    static double
+    numerical_viscosity(const Giesekus<dim> &model);
+
     /**
      * @param log_conformation, old_log_conformation s at t^n and t^(n-1)
-     * @param convection w at the P2 nodes
+     * @param convection w^ at the P2 nodes
+     * @param velocity, old_convection u^n and w^n, of a step that has a
+     * previous one
+     * @param smooth_strain_rate components of D_h^n; without any there is no
+     * numerical viscosity
      *
      * The fields are kept by reference.
      */
@@ -37,7 +59,10 @@ namespace Catena
                      const TimeStep                &step,
                      const std::vector<VectorType> &log_conformation,
                      const std::vector<VectorType> &old_log_conformation,
-                     const VectorType              &convection);
+                     const VectorType              &convection,
+                     const VectorType              &velocity,
+                     const VectorType              &old_convection,
+                     const std::vector<VectorType> &smooth_strain_rate);
 
     void
     evaluate(const typename MovingMesh<dim>::Cell &cell,
@@ -45,13 +70,20 @@ namespace Catena
              std::vector<StressCoefficients<dim>> &coefficients) const override;
 
   private:
+    void
+    add_numerical_viscosity(
+      const typename MovingMesh<dim>::Cell &cell,
+      const CellValues<dim>                &values,
+      std::vector<StressCoefficients<dim>> &coefficients) const;
+
     const Giesekus<dim>            model;
-    const BdfCoefficients          bdf;
-    const TwoLevelWeights          extrapolation;
-    const double                   dt;
+    const TimeStep                 step;
     const std::vector<VectorType> &log_conformation;
     const std::vector<VectorType> &old_log_conformation;
     const VectorType              &convection;
+    const VectorType              &velocity;
+    const VectorType              &old_convection;
+    const std::vector<VectorType> &smooth_strain_rate;
   };
 
 } // namespace Catena

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace Catena
 {
@@ -40,6 +41,18 @@ namespace Catena
   template <int dim>
   SpectralDecomposition<dim>
   spectral_decomposition(const dealii::SymmetricTensor<2, dim> &s);
+
+  /**
+   * The same of many tensors, several at a time; the results may differ from
+   * those one by one in rounding.
+   *
+   * @param spectra resized to the number of tensors
+   */
+  template <int dim>
+  void
+  spectral_decompositions(
+    const std::vector<dealii::SymmetricTensor<2, dim>> &tensors,
+    std::vector<SpectralDecomposition<dim>>            &spectra);
 
   /**
    * The tensor sum_k values[k] r_k r_k^T.

@@ -187,6 +187,9 @@ namespace Catena
     VectorType
     mesh_velocity(const Level<dim> &next, const TimeStep &step) const;
 
+    VectorType
+    old_mesh_velocity(const Level<dim> &next, const TimeStep &step) const;
+
     FlowFields<dim>
     extrapolated_flow(const TimeStep &step) const;
 

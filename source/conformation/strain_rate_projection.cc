@@ -1,0 +1,187 @@
+#include <catena/base/exceptions.h>
+#include <catena/conformation/strain_rate_projection.h>
+#include <catena/mesh/vertex_tensors.h>
+
+#include <deal.II/lac/solver_cg.h>
+
+namespace Catena
+{
+  using namespace dealii;
+
+  /**
+   * The mass matrix of the free values.
+   */
+  template <int dim>
+  class StrainRateProjection<dim>::Mass
+  {
+  public:
+    explicit Mass(const StrainRateProjection &projection)
+      : projection(projection)
+    {}
+
+    void
+    vmult(BlockVectorType &dst, const BlockVectorType &src) const
+    {
+      const auto fields = projection.field(src);
+      dst               = 0.;
+      for (unsigned int c = 0; c < projection.masses.size(); ++c)
+        {
+          const auto     &cell   = projection.mesh.cells()[c];
+          const auto      values = vertex_tensors<dim>(cell, fields);
+          const CellMass &mass   = projection.masses[c];
+          for (unsigned int v = 0; v < n_vertices; ++v)
+            {
+              SymmetricTensor<2, dim> sum;
+              for (unsigned int w = 0; w < n_vertices; ++w)
+                sum += mass[v][w] * values[w];
+              projection.add(dst, cell.vertices[v], sum);
+            }
+        }
+    }
+
+    BlockVectorType
+    inverse_diagonal() const
+    {
+      BlockVectorType diagonal = projection.zero();
+      for (unsigned int c = 0; c < projection.masses.size(); ++c)
+        for (unsigned int v = 0; v < n_vertices; ++v)
+          {
+            const unsigned int vertex = projection.mesh.cells()[c].vertices[v];
+            const unsigned int master =
+              projection.identification.master(vertex);
+            if (projection.mesh.owned_scalars().is_element(master))
+              for (unsigned int k = 0; k < n_components; ++k)
+                diagonal.block(k)(master) += projection.masses[c][v][v];
+          }
+      for (unsigned int k = 0; k < n_components; ++k)
+        for (double &value : diagonal.block(k))
+          value = value > 0. ? 1. / value : 1.;
+      return diagonal;
+    }
+
+  private:
+    const StrainRateProjection &projection;
+  };
+
+
+
+  template <int dim>
+  StrainRateProjection<dim>::StrainRateProjection(const MovingMesh<dim> &mesh)
+    : mesh(mesh)
+    , identification(mesh)
+  {
+    CellValues<dim> values;
+    for (const auto &cell : mesh.cells())
+      {
+        values.reinit(mesh.cell_positions(cell, mesh.positions()), cell.curved);
+        CellMass mass{};
+        for (const auto &point : values.points())
+          for (unsigned int v = 0; v < n_vertices; ++v)
+            for (unsigned int w = 0; w < n_vertices; ++w)
+              mass[v][w] += point.JxW * point.linear[v] * point.linear[w];
+        masses.push_back(mass);
+      }
+  }
+
+
+
+  template <int dim>
+  BlockVectorType
+  StrainRateProjection<dim>::zero() const
+  {
+    BlockVectorType result(n_components);
+    for (unsigned int k = 0; k < n_components; ++k)
+      result.block(k).reinit(mesh.owned_scalars(), mesh.communicator());
+    result.collect_sizes();
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<VectorType>
+  StrainRateProjection<dim>::field(const BlockVectorType &values) const
+  {
+    // sized first: a vector copied when the list grows loses its ghost values
+    std::vector<VectorType> result(n_components);
+    for (unsigned int k = 0; k < n_components; ++k)
+      result[k] = identification.field(k, mesh, values.block(k));
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  StrainRateProjection<dim>::add(BlockVectorType               &equations,
+                                 const unsigned int             vertex,
+                                 const SymmetricTensor<2, dim> &value) const
+  {
+    const unsigned int master = identification.master(vertex);
+    if (mesh.owned_scalars().is_element(master))
+      for (unsigned int k = 0; k < n_components; ++k)
+        equations.block(k)(master) +=
+          identification.factor(k, vertex) * value.access_raw_entry(k);
+  }
+
+
+
+  template <int dim>
+  std::vector<VectorType>
+  StrainRateProjection<dim>::project(const VectorType &velocity) const
+  {
+    constexpr double       relative_residual = 1e-6;
+    constexpr unsigned int max_iterations    = 100;
+
+    BlockVectorType rhs = zero(), solution = zero();
+    CellValues<dim> values;
+    for (const auto &cell : mesh.cells())
+      {
+        values.reinit(mesh.cell_positions(cell, mesh.positions()), cell.curved);
+        std::array<SymmetricTensor<2, dim>, n_vertices> sums;
+        for (const auto &point : values.points())
+          {
+            Tensor<2, dim> L;
+            for (unsigned int a = 0; a < MovingMesh<dim>::n_nodes; ++a)
+              for (unsigned int d = 0; d < dim; ++d)
+                L[d] += velocity(dim * cell.nodes[a] + d) *
+                        point.quadratic_gradient[a];
+            for (unsigned int v = 0; v < n_vertices; ++v)
+              sums[v] += point.JxW * point.linear[v] * symmetrize(L);
+          }
+        for (unsigned int v = 0; v < n_vertices; ++v)
+          add(rhs, cell.vertices[v], sums[v]);
+      }
+
+    const Mass mass(*this);
+    struct Scaling
+    {
+      const BlockVectorType factors;
+
+      void
+      vmult(BlockVectorType &dst, const BlockVectorType &src) const
+      {
+        dst = src;
+        dst.scale(factors);
+      }
+    };
+    SolverControl control(max_iterations, relative_residual * rhs.l2_norm());
+    try
+      {
+        SolverCG<BlockVectorType>(control).solve(
+          mass, solution, rhs, Scaling{mass.inverse_diagonal()});
+      }
+    catch (const SolverControl::NoConvergence &)
+      {
+        throw SolverError("The projection of the rate of strain did not "
+                          "converge in " +
+                          std::to_string(max_iterations) + " iterations.");
+      }
+    return field(solution);
+  }
+
+
+
+  template class StrainRateProjection<2>;
+  template class StrainRateProjection<3>;
+} // namespace Catena
