@@ -1,11 +1,8 @@
 #include <catena/base/exceptions.h>
-#include <catena/conformation/conformation_change.h>
-#include <catena/flow/carreau_stress.h>
-#include <catena/flow/particle_forces.h>
-#include <catena/flow/stress_prediction.h>
 #include <catena/flow/velocity_constraints.h>
 #include <catena/output/progress.h>
 #include <catena/simulation/simulation.h>
+#include <catena/simulation/step_error.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,10 +29,6 @@ namespace Catena
     /// Strains that differ by rounding only
     constexpr double same_strain = 1e-9;
 
-    /// A log-conformation off its extrapolation by more is not followed: the
-    /// stress is predicted with that extrapolation.
-    constexpr double largest_change = 1.;
-
     /// What held the particles is let go over one unit of strain.
     constexpr double ramp_end = 1.;
   } // namespace
@@ -50,11 +43,11 @@ namespace Catena
     , parameters(parameters)
     , communicator(communicator)
     , remesher(scene, parameters, communicator)
+    , run_report(communicator)
     , bodies(scene)
     , contacts(scene, parameters.minimal_gap)
-    , flow_solver(parameters.flow_solver)
+    , flow_step(this->parameters, run_report)
     , step_control(parameters.step_control)
-    , run_report(communicator)
   {
     scene.check();
     parameters.check();
@@ -62,12 +55,6 @@ namespace Catena
       conformation_solver = std::make_unique<ConformationSolver<dim>>(
         Giesekus<dim>(parameters.fluid.giesekus),
         parameters.conformation_solver);
-    if (parameters.fluid.model == FluidParameters::Model::carreau)
-      nonlinear_solver =
-        std::make_unique<NonlinearFlowSolver<dim>>(flow_solver,
-                                                   Carreau(
-                                                     parameters.fluid.carreau),
-                                                   parameters.nonlinear_solver);
   }
 
 
@@ -160,11 +147,14 @@ namespace Catena
   Simulation<dim>::set_up_solvers()
   {
     const auto timer = run_report.time("degrees of freedom and sparsity");
-    flow_solver.reinit(mesh(), bodies, state.now.configuration, held);
+    flow_step.reinit(*state.discretization.mesh,
+                     bodies,
+                     state.now.configuration,
+                     held);
     if (conformation_solver)
       conformation_solver->reinit(mesh());
     run_report.note("elements", mesh().n_global_cells());
-    run_report.note("unknowns of the flow", flow_solver.n_unknowns());
+    run_report.note("unknowns of the flow", flow_step.n_unknowns());
     run_report.note("unknowns of the conformation",
                     conformation_solver ? n_symmetric_components(dim) *
                                             mesh().scalar_dofs().n_dofs() :
@@ -259,80 +249,16 @@ namespace Catena
           report.conformation_iterations =
             solve_conformation(next, step, velocity_of_mesh);
         report.dt    = step.dt;
-        report.error = step_error(next, predicted, step);
+        report.error = step_error<dim>(state, next, predicted, step, held);
         return step_control.accept(step.dt, report.error);
       }
     catch (const SolverError &)
       {
         if (!step_control.shorten(step.dt))
           throw;
-        flow_solver.renew_preconditioner();
+        flow_step.renew_preconditioner();
         return false;
       }
-  }
-
-
-
-  /// Has a contact opened or closed in this step or in the last one?
-  template <int dim>
-  bool
-  Simulation<dim>::contacts_changed(const Level<dim> &next) const
-  {
-    const auto n_contacts = [](const Level<dim> &level) {
-      const std::vector<double> &forces = level.flow.contact_forces;
-      return std::count_if(forces.begin(),
-                           forces.end(),
-                           [](const double force) { return force > 0.; });
-    };
-    return n_contacts(next) != n_contacts(state.now) ||
-           n_contacts(state.now) != n_contacts(state.before);
-  }
-
-
-
-  /**
-   * The larger one of two local errors: that of the positions, by the
-   * difference of Adams-Bashforth and trapezoidal rule, and what the
-   * extrapolation of the log-conformation misses, times the step. The
-   * velocities jump where a contact opens or closes; there the gap is exact.
-   *
-   * @throws SolverError if the conformation changes too fast to be followed, or
-   * is not finite
-   */
-  template <int dim>
-  double
-  Simulation<dim>::step_error(const Level<dim>              &next,
-                              const std::vector<VectorType> &predicted,
-                              const TimeStep                &step) const
-  {
-    const TwoLevelWeights weights = step.adams_bashforth();
-    // errors (2 dt + 3 dt') and -dt, times dt^2/12 and the third derivative
-    const double share = (2. * step.dt + 3. * step.previous_dt) /
-                         (3. * (step.dt + step.previous_dt));
-    double error_of_positions = 0.;
-    if (!held && !contacts_changed(next))
-      for (unsigned int i = 0; i < next.flow.motions.size(); ++i)
-        {
-          const Tensor<1, dim> &now = state.now.flow.motions[i].velocity;
-          Tensor<1, dim>        difference =
-            weights.b0 * now - (now + next.flow.motions[i].velocity) / 2.;
-          if (weights.b1 != 0.)
-            difference += weights.b1 * state.before.flow.motions[i].velocity;
-          error_of_positions =
-            std::max(error_of_positions, share * difference.norm());
-        }
-    ConformationChange change;
-    if (conformation_solver)
-      change =
-        conformation_change<dim>(mesh(), next.log_conformation, predicted);
-    if (!(change.largest <= largest_change) ||
-        !std::isfinite(next.flow.velocity.l2_norm()))
-      throw SolverError(
-        "At strain " + std::to_string(next.time) +
-        " the log-conformation is off its extrapolation by " +
-        std::to_string(change.largest) +
-        " somewhere: use a smaller 'Time/Time step' or a finer mesh.");
-    return step.dt * std::max(error_of_positions, change.mean);
   }
 
 
@@ -507,67 +433,13 @@ namespace Catena
                               const TimeStep   &step,
                               const VectorType &mesh_velocity)
   {
-    const auto candidates    = contacts.candidates(next.configuration);
-    next.flow.contact_forces = contacts.remembered_forces(candidates);
-    if (nonlinear_solver)
-      {
-        const auto timer  = run_report.time("flow: solve");
-        const auto report = nonlinear_solver->solve(next.configuration,
-                                                    next.flow,
-                                                    candidates,
-                                                    external_forces(next.time));
-        contacts.remember(candidates, next.flow.contact_forces);
-        run_report.count("nonlinear steps of the flow",
-                         report.picard_steps + report.newton_steps);
-        find_reactions(next,
-                       CarreauStress<dim>(Carreau(parameters.fluid.carreau),
-                                          next.flow.velocity,
-                                          Linearisation::picard));
-        return report.linear_iterations;
-      }
-
-    const Level<dim>                 &now = state.now, &before = state.before;
-    VectorType                        convection;
-    std::unique_ptr<StressModel<dim>> stress;
-    if (parameters.viscoelastic())
-      {
-        convection = next.flow.velocity;
-        convection -= mesh_velocity;
-        convection.update_ghost_values();
-        stress = std::make_unique<StressPrediction<dim>>(
-          Giesekus<dim>(parameters.fluid.giesekus),
-          step,
-          now.log_conformation,
-          before.log_conformation.empty() ? now.log_conformation :
-                                            before.log_conformation,
-          convection);
-      }
-    else
-      stress = std::make_unique<NewtonianStress<dim>>();
-
-    {
-      const auto timer = run_report.time("flow: assembly");
-      flow_solver.assemble(next.configuration, *stress);
-    }
-    const auto         timer = run_report.time("flow: solve");
-    const unsigned int iterations =
-      flow_solver.solve(next.flow, candidates, external_forces(next.time));
-    contacts.remember(candidates, next.flow.contact_forces);
-    find_reactions(next, *stress);
-    return iterations;
-  }
-
-
-
-  /// What holds the particles, if any is held.
-  template <int dim>
-  void
-  Simulation<dim>::find_reactions(Level<dim>             &level,
-                                  const StressModel<dim> &stress) const
-  {
-    if (bodies.any_held())
-      level.flow.reactions = particle_forces<dim>(
-        mesh(), bodies, level.configuration, stress, level.flow);
+    return flow_step.solve(next,
+                           step,
+                           state.now,
+                           state.before,
+                           mesh_velocity,
+                           external_forces(next.time),
+                           contacts);
   }
 
 
@@ -642,6 +514,29 @@ namespace Catena
     for (double &force : forces)
       force *= held ? 0. : std::max(0., 1. - time / ramp_end);
     return forces;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::archive(Archive &archive)
+  {
+    archive(held, remesh_requested, step_control, contacts);
+    state.archive(archive, scene, communicator);
+    if (archive.is_loading())
+      {
+        bodies.hold_in_place(held);
+        if (state.holding_forces.size() != bodies.n_unknowns() ||
+            state.now.flow.motions.size() != scene.particles.size() ||
+            state.now.log_conformation.empty() == parameters.viscoelastic())
+          throw CheckpointError("it is of another simulation");
+        set_up_solvers();
+      }
+    FieldArchive<dim> fields(archive, mesh());
+    flow_step.archive(fields);
+    if (archive.is_loading())
+      state.discretization.mesh->set_positions(state.now.positions);
   }
 
 

@@ -3,6 +3,7 @@
 
 #include <catena/output/run_report.h>
 #include <catena/particles/contacts.h>
+#include <catena/simulation/flow_step.h>
 #include <catena/simulation/parameters.h>
 #include <catena/simulation/remesher.h>
 #include <catena/simulation/state.h>
@@ -128,6 +129,17 @@ namespace Catena
       return run_report;
     }
 
+    /**
+     * Save everything the next step depends on, or load it in place of
+     * initialize(). On the same number of ranks the steps are then the same
+     * as without, to rounding; on another one, to the tolerances of the
+     * solvers. Collective; what rank 0 saves is what all ranks load.
+     *
+     * @throws CheckpointError if what is loaded is not of this simulation
+     */
+    void
+    archive(Archive &archive);
+
     bool
     held_in_place() const
     {
@@ -140,16 +152,15 @@ namespace Catena
     const MPI_Comm             communicator;
     const Remesher<dim>        remesher;
 
-    RigidBodies<dim>                          bodies;
-    Contacts<dim>                             contacts;
-    FlowSolver<dim>                           flow_solver;
-    std::unique_ptr<NonlinearFlowSolver<dim>> nonlinear_solver;
-    std::unique_ptr<ConformationSolver<dim>>  conformation_solver;
-    StepControl                               step_control;
-    State<dim>                                state;
-    RunReport                                 run_report;
-    bool                                      held             = false;
-    bool                                      remesh_requested = false;
+    RunReport                                run_report;
+    RigidBodies<dim>                         bodies;
+    Contacts<dim>                            contacts;
+    FlowStep<dim>                            flow_step;
+    std::unique_ptr<ConformationSolver<dim>> conformation_solver;
+    StepControl                              step_control;
+    State<dim>                               state;
+    bool                                     held             = false;
+    bool                                     remesh_requested = false;
 
     /// Is there a particle to be held while a viscoelastic stress builds up?
     bool
@@ -163,14 +174,6 @@ namespace Catena
 
     bool
     try_step(Level<dim> &next, StepReport &report);
-
-    bool
-    contacts_changed(const Level<dim> &next) const;
-
-    double
-    step_error(const Level<dim>              &next,
-               const std::vector<VectorType> &predicted,
-               const TimeStep                &step) const;
 
     double
     shear_rate() const;
@@ -194,9 +197,6 @@ namespace Catena
     solve_flow(Level<dim>       &next,
                const TimeStep   &step,
                const VectorType &mesh_velocity);
-
-    void
-    find_reactions(Level<dim> &level, const StressModel<dim> &stress) const;
 
     std::vector<VectorType>
     extrapolated_log_conformation(const TimeStep &step) const;

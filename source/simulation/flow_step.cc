@@ -1,0 +1,222 @@
+#include <catena/flow/carreau_stress.h>
+#include <catena/flow/particle_forces.h>
+#include <catena/flow/stress_prediction.h>
+#include <catena/simulation/flow_step.h>
+
+namespace Catena
+{
+  using namespace dealii;
+
+  template <int dim>
+  FlowStep<dim>::FlowStep(const SimulationParameters &parameters,
+                          RunReport                  &run_report)
+    : parameters(parameters)
+    , run_report(run_report)
+    , flow_solver(parameters.flow_solver)
+  {
+    if (parameters.fluid.model == FluidParameters::Model::carreau)
+      nonlinear_solver =
+        std::make_unique<NonlinearFlowSolver<dim>>(flow_solver,
+                                                   Carreau(
+                                                     parameters.fluid.carreau),
+                                                   parameters.nonlinear_solver);
+  }
+
+
+
+  template <int dim>
+  void
+  FlowStep<dim>::reinit(MovingMesh<dim>          &new_mesh,
+                        const RigidBodies<dim>   &new_bodies,
+                        const Configuration<dim> &configuration,
+                        const bool                held_in_place)
+  {
+    mesh   = &new_mesh;
+    bodies = &new_bodies;
+    flow_solver.reinit(*mesh, *bodies, configuration, held_in_place);
+  }
+
+
+
+  /**
+   * The model of the stress; references to the fields are kept.
+   */
+  template <int dim>
+  std::unique_ptr<StressModel<dim>>
+  FlowStep<dim>::stress(const TimeStep                &step,
+                        const std::vector<VectorType> &log_conformation,
+                        const std::vector<VectorType> &old_log_conformation,
+                        const VectorType              &velocity,
+                        const Linearisation            linearisation) const
+  {
+    switch (parameters.fluid.model)
+      {
+        case FluidParameters::Model::giesekus:
+          return std::make_unique<StressPrediction<dim>>(
+            Giesekus<dim>(parameters.fluid.giesekus),
+            step,
+            log_conformation,
+            old_log_conformation.empty() ? log_conformation :
+                                           old_log_conformation,
+            velocity);
+        case FluidParameters::Model::carreau:
+          return std::make_unique<CarreauStress<dim>>(
+            Carreau(parameters.fluid.carreau), velocity, linearisation);
+        default:
+          return std::make_unique<NewtonianStress<dim>>();
+      }
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  FlowStep<dim>::solve(Level<dim>                &next,
+                       const TimeStep            &step,
+                       const Level<dim>          &now,
+                       const Level<dim>          &before,
+                       const VectorType          &mesh_velocity,
+                       const std::vector<double> &external_forces,
+                       Contacts<dim>             &contacts)
+  {
+    const auto         candidates = contacts.candidates(next.configuration);
+    const unsigned int n_stalled  = flow_solver.n_stalled_solves();
+    next.flow.contact_forces      = contacts.remembered_forces(candidates);
+    const unsigned int iterations =
+      nonlinear_solver ?
+        solve_nonlinear(next, candidates, external_forces) :
+        solve_linear(
+          next, step, now, before, mesh_velocity, candidates, external_forces);
+    contacts.remember(candidates, next.flow.contact_forces);
+    if (flow_solver.n_stalled_solves() > n_stalled)
+      run_report.count("solves repeated with a fresh preconditioner",
+                       flow_solver.n_stalled_solves() - n_stalled);
+    return iterations;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  FlowStep<dim>::solve_nonlinear(Level<dim>                      &next,
+                                 const std::vector<Contact<dim>> &candidates,
+                                 const std::vector<double> &external_forces)
+  {
+    const auto timer  = run_report.time("flow: solve");
+    const auto report = nonlinear_solver->solve(next.configuration,
+                                                next.flow,
+                                                candidates,
+                                                external_forces);
+    run_report.count("nonlinear steps of the flow",
+                     report.picard_steps + report.newton_steps);
+    if (nonlinear_solver->has_new_preconditioner())
+      {
+        const auto &point      = nonlinear_solver->preconditioner_point();
+        preconditioner_instant = Instant();
+        preconditioner_instant.configuration = next.configuration;
+        preconditioner_instant.positions     = mesh->positions();
+        preconditioner_instant.velocity      = point.velocity;
+        preconditioner_instant.linearisation = point.form;
+      }
+    find_reactions(
+      next, *stress({}, {}, {}, next.flow.velocity, Linearisation::picard));
+    return report.linear_iterations;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  FlowStep<dim>::solve_linear(Level<dim>                      &next,
+                              const TimeStep                  &step,
+                              const Level<dim>                &now,
+                              const Level<dim>                &before,
+                              const VectorType                &mesh_velocity,
+                              const std::vector<Contact<dim>> &candidates,
+                              const std::vector<double>       &external_forces)
+  {
+    VectorType convection;
+    if (parameters.viscoelastic())
+      {
+        convection = next.flow.velocity;
+        convection -= mesh_velocity;
+        convection.update_ghost_values();
+      }
+    const auto model = stress(step,
+                              now.log_conformation,
+                              before.log_conformation,
+                              convection,
+                              Linearisation::picard);
+    {
+      const auto timer = run_report.time("flow: assembly");
+      flow_solver.assemble(next.configuration, *model);
+    }
+    const auto         timer = run_report.time("flow: solve");
+    const unsigned int iterations =
+      flow_solver.solve(next.flow, candidates, external_forces);
+    if (flow_solver.has_fresh_preconditioner())
+      preconditioner_instant = {next.configuration,
+                                mesh->positions(),
+                                step,
+                                now.log_conformation,
+                                before.log_conformation,
+                                convection};
+    find_reactions(next, *model);
+    return iterations;
+  }
+
+
+
+  /// What holds the particles, if any is held.
+  template <int dim>
+  void
+  FlowStep<dim>::find_reactions(Level<dim>             &level,
+                                const StressModel<dim> &stress) const
+  {
+    if (bodies->any_held())
+      level.flow.reactions = particle_forces<dim>(
+        *mesh, *bodies, level.configuration, stress, level.flow);
+  }
+
+
+
+  template <int dim>
+  void
+  FlowStep<dim>::Instant::archive(FieldArchive<dim> &archive)
+  {
+    archive(configuration, step.dt, step.previous_dt, linearisation);
+    archive.vector(positions);
+    archive.scalars(log_conformation);
+    archive.scalars(old_log_conformation);
+    archive.vector(velocity);
+  }
+
+
+
+  template <int dim>
+  void
+  FlowStep<dim>::archive(FieldArchive<dim> &archive)
+  {
+    Instant &instant = preconditioner_instant;
+    if (archive.is_loading())
+      instant = Instant();
+    instant.archive(archive);
+    if (archive.is_loading() && instant.positions.size() > 0)
+      {
+        mesh->set_positions(instant.positions);
+        flow_solver.renew_preconditioner();
+        flow_solver.assemble(instant.configuration,
+                             *stress(instant.step,
+                                     instant.log_conformation,
+                                     instant.old_log_conformation,
+                                     instant.velocity,
+                                     instant.linearisation));
+      }
+    flow_solver.archive(archive);
+  }
+
+
+
+  template class FlowStep<2>;
+  template class FlowStep<3>;
+} // namespace Catena
