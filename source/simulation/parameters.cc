@@ -72,6 +72,10 @@ namespace Catena
                       "Strains at which the fields are written for ParaView, "
                       "separated by commas.");
     prm.leave_subsection();
+
+    prm.enter_subsection("Checkpoint");
+    checkpoint.declare(prm);
+    prm.leave_subsection();
   }
 
 
@@ -106,6 +110,7 @@ namespace Catena
     flow_solver.check();
     nonlinear_solver.check();
     conformation_solver.check();
+    checkpoint.check();
     for (const double strain : field_strains)
       require(strain <= final_strain,
               "Output/Field strains",

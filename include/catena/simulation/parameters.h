@@ -6,6 +6,7 @@
 #include <catena/flow/nonlinear_flow_solver.h>
 #include <catena/mesh/mesher.h>
 #include <catena/rheology/fluid_parameters.h>
+#include <catena/simulation/checkpoint.h>
 #include <catena/simulation/step_control.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -43,6 +44,8 @@ namespace Catena
 
     std::string         output_directory = "results";
     std::vector<double> field_strains;
+
+    CheckpointParameters checkpoint;
 
     /// Is there a conformation field?
     bool
