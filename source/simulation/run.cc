@@ -384,7 +384,9 @@ namespace Catena
     Run<dim>::in_context(const Error &error) const
     {
       std::ostringstream text;
-      text << "At strain " << simulation.strain() << ": " << error.what();
+      const std::string message = error.what();
+      text << "At strain " << simulation.strain() << ": " << message
+           << (message.empty() || message.back() != '.' ? "." : "");
       if (checkpoint.strain())
         text << " The last checkpoint is that of strain "
              << *checkpoint.strain()
