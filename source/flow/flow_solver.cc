@@ -32,7 +32,7 @@ namespace Catena
   void
   FlowSolverParameters::check() const
   {
-    require(tolerance > 0. && tolerance < 1e-2,
+    require(tolerance >= 1e-14 && tolerance < 1e-2,
             "Flow solver/Tolerance",
             tolerance,
             "choose a value between 1e-12 and 1e-2");

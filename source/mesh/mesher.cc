@@ -322,10 +322,10 @@ namespace Catena
             "Size growth",
             growth,
             "give a number from 0.01 to 1");
-    require(maximal_size > 0.,
+    require(maximal_size >= 1e-3 && maximal_size <= 1e4,
             "Maximal size",
             maximal_size,
-            "give a positive length in particle radii");
+            "give a positive length in particle radii, from 1e-3 to 1e4");
     require(minimal_quality >= 0. && minimal_quality <= 0.3,
             "Minimal quality",
             minimal_quality,

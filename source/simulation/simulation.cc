@@ -49,8 +49,8 @@ namespace Catena
     , flow_step(this->parameters, run_report)
     , step_control(parameters.step_control)
   {
-    scene.check();
     parameters.check();
+    parameters.check_scene(scene);
     if (parameters.viscoelastic())
       conformation_solver = std::make_unique<ConformationSolver<dim>>(
         Giesekus<dim>(parameters.fluid.giesekus),

@@ -36,6 +36,7 @@ namespace Catena
     program.check      = [&]() {
       scene.check();
       simulation.check();
+      simulation.check_scene(scene.template scene<3>());
     };
     program.run = [&](const ProgramOptions &options) {
       run_simulation(scene.template scene<3>(),
