@@ -311,6 +311,8 @@ namespace Catena
     void
     Run<dim>::show(const StepReport &step)
     {
+      for (const std::string &trouble : step.troubles)
+        progress->message(trouble);
       if (parameters.viscoelastic())
         health.look_at(step.extremes,
                        simulation.strain(),
@@ -384,7 +386,7 @@ namespace Catena
     Run<dim>::in_context(const Error &error) const
     {
       std::ostringstream text;
-      const std::string message = error.what();
+      const std::string  message = error.what();
       text << "At strain " << simulation.strain() << ": " << message
            << (message.empty() || message.back() != '.' ? "." : "");
       if (checkpoint.strain())

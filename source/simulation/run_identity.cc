@@ -14,6 +14,7 @@ namespace Catena
     /// Parameters and sections that may change.
     const std::vector<std::string> changeable = {"Time / Final strain",
                                                  "Time / Tolerance",
+                                                 "Mesh / Time limit",
                                                  "Flow solver / ",
                                                  "Conformation solver / ",
                                                  "Output / ",

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace Catena
 {
@@ -114,6 +115,7 @@ namespace Catena
       state.discretization = remesher.make(now.configuration);
     }
     set_up_solvers();
+    count_attempts();
     now.positions = mesh().positions();
 
     // the first guess is the imposed flow
@@ -210,9 +212,6 @@ namespace Catena
     if (last_held_step)
       let_go();
 
-    if (conformation_solver)
-      result.extremes =
-        conformation_extremes<dim>(mesh(), state.now.log_conformation);
     run_report.count("flow iterations", result.flow_iterations);
     run_report.count("remeshes", result.remeshed ? 1 : 0);
     result.seconds = wall_clock() - begin;
@@ -234,31 +233,90 @@ namespace Catena
     step.previous_dt = state.last_dt;
     try
       {
-        next               = Level<dim>();
-        next.time          = state.now.time + step.dt;
-        next.configuration = moved_particles(step);
-        if (move_mesh(next))
-          report.remeshed = true;
-        const VectorType velocity_of_mesh = mesh_velocity(next, step);
-
-        next.flow = extrapolated_flow(step);
-        report.flow_iterations += solve_flow(next, step, velocity_of_mesh);
-        const auto predicted  = extrapolated_log_conformation(step);
-        next.log_conformation = predicted;
-        if (conformation_solver)
-          report.conformation_iterations =
-            solve_conformation(next, step, velocity_of_mesh);
-        report.dt    = step.dt;
-        report.error = step_error<dim>(state, next, predicted, step, held);
+        take_step(step, next, report);
         return step_control.accept(step.dt, report.error);
       }
-    catch (const SolverError &)
+    catch (const SolverError &error)
       {
-        if (!step_control.shorten(step.dt))
-          throw;
-        flow_step.renew_preconditioner();
-        return false;
+        shorten_step(step, "a solver failed", error, report);
       }
+    catch (const MeshError &error)
+      {
+        shorten_step(step, "there was no mesh", error, report);
+      }
+    return false;
+  }
+
+
+
+  /**
+   * @throws SolverError or MeshError
+   */
+  template <int dim>
+  void
+  Simulation<dim>::take_step(const TimeStep &step,
+                             Level<dim>     &next,
+                             StepReport     &report)
+  {
+    next               = Level<dim>();
+    next.time          = state.now.time + step.dt;
+    next.configuration = moved_particles(step);
+    move_mesh(next, report);
+    const VectorType velocity_of_mesh = mesh_velocity(next, step);
+
+    next.flow = extrapolated_flow(step);
+    report.flow_iterations += solve_flow(next, step, velocity_of_mesh);
+    inject(StepPart::flow, next);
+    const auto predicted  = extrapolated_log_conformation(step);
+    next.log_conformation = predicted;
+    if (conformation_solver)
+      {
+        report.conformation_iterations =
+          solve_conformation(next, step, velocity_of_mesh);
+        inject(StepPart::conformation, next);
+      }
+    report.dt    = step.dt;
+    report.error = step_error<dim>(state, next, predicted, step, held);
+    if (conformation_solver)
+      report.extremes =
+        conformation_extremes<dim>(mesh(), next.log_conformation);
+  }
+
+
+
+  /**
+   * @throws SolverError with the message of @p error if that step is the
+   * shortest
+   */
+  template <int dim>
+  void
+  Simulation<dim>::shorten_step(const TimeStep    &step,
+                                const std::string &cause,
+                                const Error       &error,
+                                StepReport        &report)
+  {
+    std::ostringstream text;
+    if (!step_control.shorten(step.dt))
+      {
+        text << "The shortest time step, " << step.dt
+             << ", fails: " << error.what();
+        throw SolverError(text.str());
+      }
+    flow_step.renew_preconditioner();
+    run_report.count("steps halved because " + cause);
+    text << "At strain " << state.now.time << " a step of " << step.dt
+         << " is halved: " << error.what();
+    report.troubles.push_back(text.str());
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::inject(const StepPart part, Level<dim> &next)
+  {
+    if (failure_injection)
+      failure_injection(part, next);
   }
 
 
@@ -341,12 +399,9 @@ namespace Catena
 
 
 
-  /**
-   * @return whether a new mesh was made
-   */
   template <int dim>
-  bool
-  Simulation<dim>::move_mesh(Level<dim> &next)
+  void
+  Simulation<dim>::move_mesh(Level<dim> &next, StepReport &report)
   {
     const Configuration<dim> &present = state.now.configuration;
     bool moved = next.configuration.frame_angle != present.frame_angle;
@@ -355,7 +410,7 @@ namespace Catena
     if (!moved && !remesh_requested)
       {
         next.positions = state.now.positions;
-        return false;
+        return;
       }
 
     bool remesh = remesh_requested;
@@ -363,20 +418,61 @@ namespace Catena
       const auto timer = run_report.time("mesh motion");
       next.positions =
         state.discretization.mover->positions(next.configuration);
+      inject(StepPart::mesh_motion, next);
       state.discretization.mesh->set_positions(next.positions);
       remesh |= remesher.is_due(state.discretization, next.configuration);
     }
     if (remesh)
+      change_mesh(next, report);
+  }
+
+
+
+  /**
+   * Put @p next on a new mesh. Without one, the old one has to do if it has
+   * half of the quality at which a new one is wanted.
+   */
+  template <int dim>
+  void
+  Simulation<dim>::change_mesh(Level<dim> &next, StepReport &report)
+  {
+    const double quality = mesh().quality();
+    if (!(quality > 0.))
+      run_report.count("new meshes for inverted ones");
+    try
       {
-        {
-          const auto timer = run_report.time("mesh generation and transfer");
-          remesher.remesh(state, next.configuration);
-          next.positions = mesh().positions();
-        }
-        set_up_solvers();
-        remesh_requested = false;
+        const auto timer = run_report.time("mesh generation and transfer");
+        inject(StepPart::mesh_generation, next);
+        remesher.remesh(state, next.configuration);
+        next.positions = mesh().positions();
       }
-    return remesh;
+    catch (const MeshError &error)
+      {
+        if (!(quality > 0.5 * parameters.remesh_quality *
+                          state.discretization.initial_quality))
+          throw;
+        run_report.count("new meshes put off");
+        std::ostringstream text;
+        text << "At strain " << next.time
+             << " a new mesh is put off: " << error.what();
+        report.troubles.push_back(text.str());
+        return;
+      }
+    set_up_solvers();
+    count_attempts();
+    remesh_requested = false;
+    report.remeshed  = true;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::count_attempts()
+  {
+    if (state.discretization.attempts > 1)
+      run_report.count("attempts at meshes that failed",
+                       state.discretization.attempts - 1);
   }
 
 

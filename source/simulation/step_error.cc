@@ -2,8 +2,12 @@
 #include <catena/conformation/conformation_change.h>
 #include <catena/simulation/step_error.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 
 namespace Catena
 {
@@ -36,6 +40,40 @@ namespace Catena
     {
       return n_repelling(next) != n_repelling(state.now) ||
              n_repelling(state.now) != n_repelling(state.before);
+    }
+
+
+
+    /// Where the two differ most, or are not finite.
+    template <int dim>
+    Point<dim>
+    place_of_largest_change(const MovingMesh<dim>         &mesh,
+                            const std::vector<VectorType> &s,
+                            const std::vector<VectorType> &s_hat)
+    {
+      double       largest = -1.;
+      unsigned int vertex  = 0;
+      for (const auto i : mesh.owned_scalars())
+        {
+          double change = 0.;
+          for (unsigned int k = 0; k < s.size(); ++k)
+            change = std::max(change, std::abs(s[k](i) - s_hat[k](i)));
+          for (unsigned int k = 0; k < s.size(); ++k)
+            if (!std::isfinite(s[k](i)))
+              change = std::numeric_limits<double>::max();
+          if (change > largest)
+            {
+              largest = change;
+              vertex  = i;
+            }
+        }
+      Point<dim> place;
+      if (largest >= 0.)
+        for (unsigned int d = 0; d < dim; ++d)
+          place[d] = mesh.positions()(dim * mesh.node_of_vertex(vertex) + d);
+      const auto owner =
+        Utilities::MPI::min_max_avg(largest, mesh.communicator()).max_index;
+      return Utilities::MPI::broadcast(mesh.communicator(), place, owner);
     }
 
 
@@ -87,10 +125,16 @@ namespace Catena
       throw SolverError("The flow has values that are not finite: use a "
                         "smaller 'Time/Time step' or a finer mesh.");
     if (!(change.largest <= largest_change) || !std::isfinite(change.mean))
-      throw SolverError(
-        "The log-conformation is off its extrapolation by " +
-        std::to_string(change.largest) +
-        " somewhere: use a smaller 'Time/Time step' or a finer mesh.");
+      {
+        std::ostringstream text;
+        text << "The log-conformation is off its extrapolation by "
+             << change.largest << " near the point "
+             << place_of_largest_change<dim>(*state.discretization.mesh,
+                                             next.log_conformation,
+                                             predicted)
+             << ": use a smaller 'Time/Time step' or a finer mesh.";
+        throw SolverError(text.str());
+      }
     return step.dt * std::max(positions, change.mean);
   }
 

@@ -1,6 +1,7 @@
 #ifndef catena_simulation_simulation_h
 #define catena_simulation_simulation_h
 
+#include <catena/base/exceptions.h>
 #include <catena/output/run_report.h>
 #include <catena/particles/contacts.h>
 #include <catena/simulation/flow_step.h>
@@ -11,6 +12,8 @@
 
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace Catena
 {
@@ -28,6 +31,21 @@ namespace Catena
     /// of the conformation after the step
     ConformationExtremes extremes;
     double               seconds = 0.;
+    /// what went wrong on the way, and what was done about it
+    std::vector<std::string> troubles;
+  };
+
+
+
+  /**
+   * The parts of a step that can fail.
+   */
+  enum class StepPart
+  {
+    mesh_motion,
+    mesh_generation,
+    flow,
+    conformation
   };
 
 
@@ -65,12 +83,38 @@ namespace Catena
     initialize();
 
     /**
-     * One time step. A step that fails or has too large an error is repeated
-     * with a shorter one.
-     * @throws SolverError if it fails with the shortest step, MeshError
+     * One time step. What can be done about a failure is tried in this order:
+     *
+     * - a linear solver stalls: again with a fresh preconditioner;
+     * - a new mesh is needed, and there is none: go on with the old one for a
+     *   while if it is still good enough;
+     * - a solver fails, a value is not finite or the error is too large, or
+     *   the old mesh is not good enough: again with half the step and a fresh
+     *   preconditioner.
+     *
+     * A mesh that is inverted at the end of a step is made anew from the last
+     * good instant. All of this is counted in the report.
+     *
+     * @throws SolverError if the shortest step fails; the state is still that
+     * before the step
      */
     StepReport
     advance();
+
+    /**
+     * Called in every part of a step that can fail, before what it gives is
+     * used: after the positions of the nodes have been found, before a mesh is
+     * made, after the flow and after the conformation have been found. For
+     * tests, which can throw SolverError and MeshError there and damage the
+     * level.
+     */
+    using FailureInjection = std::function<void(const StepPart, Level<dim> &)>;
+
+    void
+    inject_failures(const FailureInjection &injection)
+    {
+      failure_injection = injection;
+    }
 
     /// Make a new mesh in the next step in any case.
     void
@@ -159,6 +203,7 @@ namespace Catena
     std::unique_ptr<ConformationSolver<dim>> conformation_solver;
     StepControl                              step_control;
     State<dim>                               state;
+    FailureInjection                         failure_injection;
     bool                                     held             = false;
     bool                                     remesh_requested = false;
 
@@ -184,8 +229,26 @@ namespace Catena
     Configuration<dim>
     moved_particles(const TimeStep &step);
 
-    bool
-    move_mesh(Level<dim> &next);
+    void
+    take_step(const TimeStep &step, Level<dim> &next, StepReport &report);
+
+    void
+    shorten_step(const TimeStep    &step,
+                 const std::string &cause,
+                 const Error       &error,
+                 StepReport        &report);
+
+    void
+    move_mesh(Level<dim> &next, StepReport &report);
+
+    void
+    change_mesh(Level<dim> &next, StepReport &report);
+
+    void
+    count_attempts();
+
+    void
+    inject(const StepPart part, Level<dim> &next);
 
     VectorType
     mesh_velocity(const Level<dim> &next, const TimeStep &step) const;

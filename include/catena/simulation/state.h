@@ -23,6 +23,8 @@ namespace Catena
     std::unique_ptr<MeshMover<dim>>  mover;
     /// quality of the mesh when it was made
     double initial_quality = 0.;
+    /// how many it took to make it, see MeshDescription
+    unsigned int attempts = 1;
 
     /**
      * Save or load it: the mesh as vertices and cells, the planes that bound
