@@ -273,6 +273,10 @@ namespace Catena
       {
         return fail(error_text(error), exit_refused);
       }
+    catch (const CheckpointError &error)
+      {
+        return fail(error_text(error), exit_refused);
+      }
     catch (const ParameterFileError &error)
       {
         return fail(error_text(error), exit_refused);

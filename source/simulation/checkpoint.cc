@@ -158,7 +158,7 @@ namespace Catena
         failures.empty() ?
           "There is no checkpoint in '" + directory +
             "': start without --resume, with --overwrite if it holds files" :
-          failures);
+          failures + ": start anew with another --output");
     return best;
   }
 

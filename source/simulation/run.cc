@@ -430,16 +430,15 @@ namespace Catena
     if (options.resume)
       run.resume();
     else
-      {
-        prepare_output_directory(options.directory,
-                                 options.overwrite,
-                                 communicator);
-        run.start();
-      }
-    if (prepare)
-      prepare(run.simulation);
+      prepare_output_directory(options.directory,
+                               options.overwrite,
+                               communicator);
     try
       {
+        if (!options.resume)
+          run.start();
+        if (prepare)
+          prepare(run.simulation);
         run.go_on();
       }
     catch (const Interrupted &)
