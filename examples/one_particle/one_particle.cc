@@ -32,6 +32,7 @@ main(int argc, char **argv)
   program.check = [&]() {
     scene.check();
     simulation.check();
+    simulation.check_scene(scene.scene<3>());
     sweep.check(simulation);
   };
   program.run = [&](const ProgramOptions &options) {

@@ -22,6 +22,7 @@ namespace Catena
   {
     constexpr int exit_failed  = 1;
     constexpr int exit_refused = 2;
+    constexpr int exit_signal  = 128;
 
     /// How long a process that failed waits for the others to fail as well.
     constexpr std::chrono::seconds patience(5);
@@ -34,8 +35,9 @@ namespace Catena
       return program.name + ": " + program.description + "\n\n" +
              "Usage:\n"
              "  " +
-             program.name +
-             " FILE.prm [--output DIR] [--overwrite]\n"
+             program.name + " FILE.prm [--output DIR] [--overwrite" +
+             (program.can_resume ? " | --resume" : "") +
+             "]\n"
              "      run with the parameters of FILE.prm\n"
              "  " +
              program.name +
@@ -48,7 +50,11 @@ namespace Catena
              "Options:\n"
              "  --output DIR   write results to DIR, not to the directory the "
              "file names\n"
-             "  --overwrite    allow a directory that holds results already\n"
+             "  --overwrite    allow a directory that holds results already\n" +
+             (program.can_resume ?
+                "  --resume       go on from the last checkpoint in the "
+                "directory\n" :
+                "") +
              "  --help         print this text\n";
     }
 
@@ -66,6 +72,11 @@ namespace Catena
             std::cout << usage(program);
           return;
         }
+
+      require(!options.resume || program.can_resume,
+              "command line",
+              "--resume",
+              "this program writes no checkpoints, start it without");
 
       ParameterHandler prm;
       program.declare(prm);
@@ -199,6 +210,8 @@ namespace Catena
           choose(Action::print_template, argument);
         else if (argument == "--overwrite")
           options.overwrite = true;
+        else if (argument == "--resume")
+          options.resume = true;
         else if (argument == "--validate" || argument == "--output")
           {
             const std::string value = i + 1 < argc ? argv[++i] : "";
@@ -227,6 +240,10 @@ namespace Catena
             "command line",
             argc > 1 ? argv[1] : "",
             "name a parameter file as well");
+    require(!(options.resume && options.overwrite),
+            "command line",
+            "--resume",
+            "goes on with the results that are there, leave out --overwrite");
     return options;
   }
 
@@ -245,7 +262,18 @@ namespace Catena
         execute(program, ProgramOptions::parse(argc, argv));
         return 0;
       }
+    catch (const Interrupted &end)
+      {
+        std::cout << std::flush;
+        if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+          std::cerr << end.what() << std::endl;
+        return exit_signal + end.signal;
+      }
     catch (const InputError &error)
+      {
+        return fail(error_text(error), exit_refused);
+      }
+    catch (const CheckpointError &error)
       {
         return fail(error_text(error), exit_refused);
       }

@@ -29,15 +29,15 @@ namespace Catena
             tensor.access_raw_entry(k)     = s[k](i);
             difference.access_raw_entry(k) = s[k](i) - s_hat[k](i);
           }
-        for (const double value : spectral_decomposition<dim>(tensor).values)
-          stretch[i] += std::expm1(value);
         change[i] = difference * difference;
+        // not a number would hide behind comparisons
+        if (!std::isfinite(change[i]))
+          change[i] = std::numeric_limits<double>::infinity();
+        else
+          for (const double value : spectral_decomposition<dim>(tensor).values)
+            stretch[i] += std::expm1(value);
       }
-
-    // a value that is not finite must not hide behind a comparison
-    double largest = 0.;
-    for (const double square : change)
-      largest = square <= largest ? largest : square;
+    const double largest = *std::max_element(change.begin(), change.end());
 
     double weighted = 0., energy = 0.;
     for (const auto &cell : mesh.cells())

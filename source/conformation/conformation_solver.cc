@@ -43,7 +43,7 @@ namespace Catena
   void
   ConformationSolverParameters::check() const
   {
-    require(tolerance > 0. && tolerance < 1e-2,
+    require(tolerance >= 1e-14 && tolerance < 1e-2,
             "Conformation solver/Tolerance",
             tolerance,
             "choose a value between 1e-14 and 1e-2");

@@ -1,6 +1,8 @@
 #include <catena/flow/earlier_solutions.h>
+#include <catena/flow/flow_preconditioner.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 namespace Catena
@@ -100,6 +102,37 @@ namespace Catena
         guess.add(alpha, direction);
         directions.push_back(std::move(direction));
         images.push_back(std::move(image));
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  EarlierSolutions<dim>::archive(FieldArchive<dim>     &archive,
+                                 const BlockVectorType &layout)
+  {
+    std::uint32_t n = solutions.size();
+    archive(n, newest_is_of_this_instant);
+    if (n > n_solutions)
+      throw CheckpointError("it has " + std::to_string(n) +
+                            " earlier solutions");
+    if (archive.is_loading())
+      solutions.assign(n, layout);
+    for (BlockVectorType &solution : solutions)
+      {
+        archive.vector(solution.block(0));
+        archive.scalar(solution.block(1));
+        if (solution.n_blocks() < n_blocks_without_contacts)
+          continue;
+        VectorType         &rigid  = solution.block(2);
+        std::vector<double> values = replicate(rigid);
+        archive(values);
+        if (values.size() != rigid.size())
+          throw CheckpointError("it has a solution with " +
+                                std::to_string(values.size()) +
+                                " motions of particles");
+        set_replicated(rigid, values);
       }
   }
 

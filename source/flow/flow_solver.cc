@@ -32,7 +32,7 @@ namespace Catena
   void
   FlowSolverParameters::check() const
   {
-    require(tolerance > 0. && tolerance < 1e-2,
+    require(tolerance >= 1e-14 && tolerance < 1e-2,
             "Flow solver/Tolerance",
             tolerance,
             "choose a value between 1e-12 and 1e-2");
@@ -419,6 +419,7 @@ namespace Catena
         };
         if (preconditioner_is_fresh)
           throw report(failure);
+        ++stalled_solves;
         preconditioner_is_due = true;
         assemble_matrices();
         solution = guess;
@@ -548,6 +549,22 @@ namespace Catena
   {
     return mesh->vector_dofs().n_dofs() + mesh->scalar_dofs().n_dofs() +
            matrices->n_rigid();
+  }
+
+
+
+  template <int dim>
+  void
+  FlowSolver<dim>::archive(FieldArchive<dim> &archive)
+  {
+    const unsigned int here =
+      Utilities::MPI::n_mpi_processes(mesh->communicator());
+    unsigned int n_ranks = here;
+    archive(preconditioner_is_due, best_rate, iterations_lost, n_ranks);
+    earlier_solutions.archive(archive, make_vector(0));
+    // of identified nodes other ones carry the unknowns on other ranks
+    if (n_ranks != here)
+      earlier_solutions.clear();
   }
 
 

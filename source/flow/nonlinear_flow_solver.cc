@@ -128,7 +128,8 @@ namespace Catena
     const Problem problem{configuration, contacts, external_forces, body_force};
     NonlinearSolverReport report;
     Iterate               x;
-    x.fields = fields;
+    x.fields           = fields;
+    new_preconditioner = false;
     flow_solver.impose_constraints(configuration, x.fields);
     linearise(problem, x, Linearisation::newton);
 
@@ -183,14 +184,28 @@ namespace Catena
   void
   NonlinearFlowSolver<dim>::linearise(const Problem      &problem,
                                       Iterate            &x,
-                                      const Linearisation form)
+                                      const Linearisation new_form)
   {
     linearisation_point = x.fields.velocity;
+    form                = new_form;
     stress =
       std::make_unique<CarreauStress<dim>>(model, linearisation_point, form);
     flow_solver.assemble(problem.configuration, *stress, problem.body_force);
+    note_preconditioner();
     x.residual =
       flow_solver.residual(x.fields, problem.contacts, problem.external_forces);
+  }
+
+
+
+  template <int dim>
+  void
+  NonlinearFlowSolver<dim>::note_preconditioner()
+  {
+    if (!flow_solver.has_fresh_preconditioner())
+      return;
+    point_of_preconditioner = {linearisation_point, form};
+    new_preconditioner      = true;
   }
 
 
@@ -210,6 +225,7 @@ namespace Catena
       std::max(forcing * x.residual.norm, 0.3 * target(x.residual)));
     report.linear_iterations +=
       flow_solver.solve(result, problem.contacts, problem.external_forces);
+    note_preconditioner();
     return result;
   }
 

@@ -259,6 +259,20 @@ namespace Catena
 
 
 
+  template <int dim>
+  void
+  MeshMover<dim>::archive(FieldArchive<dim> &archive)
+  {
+    for (VectorType &displacement : displacements)
+      {
+        if (archive.is_loading())
+          displacement = VectorType();
+        archive.scalar(displacement);
+      }
+  }
+
+
+
   template class MeshMover<2>;
   template class MeshMover<3>;
 } // namespace Catena

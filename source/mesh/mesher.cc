@@ -1,3 +1,4 @@
+#include <catena/base/child_process.h>
 #include <catena/base/exceptions.h>
 #include <catena/mesh/boundary_snapper.h>
 #include <catena/mesh/gmsh_model.h>
@@ -231,10 +232,11 @@ namespace Catena
 
   template <int dim>
   MeshDescription<dim>
-  generate_mesh(const Scene<dim> &scene, const MeshParameters &parameters)
+  generate_mesh(const Scene<dim>                              &scene,
+                const MeshParameters                          &parameters,
+                const std::function<void(const unsigned int)> &before_attempt)
   {
     parameters.check();
-    GmshModel<dim> model(scene);
 
     double       best  = -std::numeric_limits<double>::infinity();
     unsigned int count = 0;
@@ -242,18 +244,30 @@ namespace Catena
     for (const auto &attempt : attempts)
       {
         ++count;
+        const auto make = [&]() {
+          if (before_attempt)
+            before_attempt(count);
+          GmshModel<dim>       model(scene);
+          MeshDescription<dim> mesh =
+            model.generate(SizeField<dim>(scene, parameters, attempt.scale),
+                           attempt.options);
+          finish(scene, mesh);
+          Archive archive;
+          archive(mesh);
+          return archive.bytes();
+        };
         try
           {
-            MeshDescription<dim> mesh =
-              model.generate(SizeField<dim>(scene, parameters, attempt.scale),
-                             attempt.options);
-            finish(scene, mesh);
+            Archive archive(run_in_child(make, parameters.time_limit));
+            MeshDescription<dim> mesh;
+            archive(mesh);
+            mesh.quality  = smallest_quality(mesh);
             mesh.attempts = count;
             if (mesh.quality >= parameters.minimal_quality)
               return mesh;
             best = std::max(best, mesh.quality);
           }
-        catch (const MeshError &error)
+        catch (const Error &error)
           {
             failure = std::string("; last failure: ") + error.what();
           }
@@ -303,6 +317,11 @@ namespace Catena
       "regular simplex) of a cell that is accepted; a mesh with a worse cell "
       "is made again. Between 0 and 0.3.",
       Double());
+    parameters.add_parameter("Time limit",
+                             time_limit,
+                             "Wall time after which an attempt at a mesh has "
+                             "failed, and another one is made [s].",
+                             Double());
   }
 
 
@@ -322,14 +341,77 @@ namespace Catena
             "Size growth",
             growth,
             "give a number from 0.01 to 1");
-    require(maximal_size > 0.,
+    require(maximal_size >= 1e-3 && maximal_size <= 1e4,
             "Maximal size",
             maximal_size,
-            "give a positive length in particle radii");
+            "give a positive length in particle radii, from 1e-3 to 1e4");
     require(minimal_quality >= 0. && minimal_quality <= 0.3,
             "Minimal quality",
             minimal_quality,
             "give a number from 0 to 0.3");
+    require(time_limit >= 1. && time_limit <= 1e6,
+            "Time limit",
+            time_limit,
+            "give a time from 1 to 1e6 seconds");
+  }
+
+
+
+  namespace
+  {
+    /// Save or load cells or faces, all with @p n vertices.
+    template <typename Cell>
+    void
+    archive_cells(Archive &archive, std::vector<Cell> &cells, const unsigned n)
+    {
+      std::vector<unsigned int>               vertices;
+      std::vector<dealii::types::boundary_id> ids;
+      for (const Cell &cell : cells)
+        {
+          vertices.insert(vertices.end(),
+                          cell.vertices.begin(),
+                          cell.vertices.end());
+          ids.push_back(cell.boundary_id);
+        }
+      archive(vertices, ids);
+      if (!archive.is_loading())
+        return;
+      if (ids.size() * n != vertices.size())
+        throw CheckpointError("its mesh has cells without vertices");
+      cells.assign(ids.size(), Cell(n));
+      for (unsigned int c = 0; c < cells.size(); ++c)
+        {
+          std::copy_n(vertices.begin() + c * n, n, cells[c].vertices.begin());
+          cells[c].boundary_id = ids[c];
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  MeshDescription<dim>::archive(Archive &archive)
+  {
+    archive(vertices);
+    archive_cells(archive, cells, dim + 1);
+    archive_cells(archive, boundary_faces(*this), dim);
+    if (!archive.is_loading())
+      return;
+
+    const auto check_vertices = [&](const auto &list) {
+      for (const auto &cell : list)
+        for (const unsigned int v : cell.vertices)
+          if (v >= vertices.size())
+            throw CheckpointError("its mesh has cells without vertices");
+    };
+    check_vertices(cells);
+    check_vertices(boundary_faces(*this));
+    for (const Point<dim> &vertex : vertices)
+      if (!std::isfinite(vertex.norm()))
+        throw CheckpointError("it has values that are not finite");
+    if (cells.empty())
+      throw CheckpointError("it has no mesh");
   }
 
 
@@ -337,7 +419,11 @@ namespace Catena
   template struct MeshDescription<2>;
   template struct MeshDescription<3>;
   template MeshDescription<2>
-  generate_mesh(const Scene<2> &, const MeshParameters &);
+  generate_mesh(const Scene<2> &,
+                const MeshParameters &,
+                const std::function<void(const unsigned int)> &);
   template MeshDescription<3>
-  generate_mesh(const Scene<3> &, const MeshParameters &);
+  generate_mesh(const Scene<3> &,
+                const MeshParameters &,
+                const std::function<void(const unsigned int)> &);
 } // namespace Catena

@@ -117,8 +117,15 @@ namespace Catena
     vertex_nodes.resize(scalars.n_dofs());
     node_ends.resize(n);
 
+    std::vector<bool> is_ordered(n, false);
     for (const Cell &cell : all_cells)
       {
+        for (const unsigned int node : cell.nodes)
+          if (!is_ordered[node])
+            {
+              is_ordered[node] = true;
+              ordered_nodes.push_back(node);
+            }
         for (unsigned int v = 0; v < n_vertices; ++v)
           {
             points[cell.nodes[v]]          = cell.iterator->vertex(v);
@@ -221,6 +228,37 @@ namespace Catena
     nodes_relevant.compress();
     vectors_relevant.compress();
     scalars_relevant.compress();
+  }
+
+
+
+  template <int dim>
+  MeshDescription<dim>
+  MovingMesh<dim>::description() const
+  {
+    MeshDescription<dim> result;
+    result.vertices = triangulation.get_vertices();
+    for (const auto &cell : triangulation.active_cell_iterators())
+      {
+        result.cells.emplace_back(n_vertices);
+        for (unsigned int v = 0; v < n_vertices; ++v)
+          result.cells.back().vertices[v] = cell->vertex_index(v);
+        for (const unsigned int f : cell->face_indices())
+          {
+            const auto face = cell->face(f);
+            if (!face->at_boundary())
+              continue;
+            CellData<dim - 1> data(dim);
+            data.boundary_id = face->boundary_id();
+            for (unsigned int v = 0; v < dim; ++v)
+              data.vertices[v] = face->vertex_index(v);
+            if constexpr (dim == 3)
+              result.boundary.boundary_quads.push_back(data);
+            else
+              result.boundary.boundary_lines.push_back(data);
+          }
+      }
+    return result;
   }
 
 

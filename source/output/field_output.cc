@@ -245,6 +245,18 @@ namespace Catena
 
 
   template <int dim>
+  void
+  FieldOutput<dim>::continue_after(
+    const std::vector<std::pair<double, std::string>> &records)
+  {
+    files = records;
+    if (!files.empty())
+      write_record();
+  }
+
+
+
+  template <int dim>
   const std::vector<std::pair<double, std::string>> &
   FieldOutput<dim>::records() const
   {

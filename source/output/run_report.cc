@@ -197,6 +197,26 @@ namespace Catena
 
 
   void
+  RunReport::archive(Archive &archive)
+  {
+    std::vector<std::string>   names;
+    std::vector<unsigned long> values;
+    for (const auto &[name, value] : counters)
+      {
+        names.push_back(name);
+        values.push_back(value);
+      }
+    archive(steps.calls, steps.seconds, names, values);
+    if (names.size() != values.size())
+      throw CheckpointError("it has counters without a name");
+    counters.clear();
+    for (unsigned int i = 0; i < names.size(); ++i)
+      counters.emplace_back(names[i], values[i]);
+  }
+
+
+
+  void
   RunReport::print(std::ostream &out) const
   {
     const std::string text = table();

@@ -3,6 +3,10 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <filesystem>
 #include <sstream>
 
 namespace Catena
@@ -24,10 +28,58 @@ namespace Catena
 
 
 
+  namespace
+  {
+    /// Why rows cannot follow after byte @p end of @p path; empty if they can.
+    std::string
+    cut(const std::string &path, const std::uint64_t end)
+    {
+      std::error_code error;
+      const auto      size = std::filesystem::file_size(path, error);
+      if (error)
+        return "cannot be read (" + error.message() + ")";
+      std::ifstream file(path, std::ios::binary);
+      file.seekg(end > 0 ? end - 1 : 0);
+      if (size < end || (end > 0 && file.get() != '\n'))
+        return "is not as it was at the checkpoint: put it back, or start "
+               "anew with another --output";
+      file.close();
+      std::filesystem::resize_file(path, end, error);
+      return error ? "cannot be written (" + error.message() + ")" : "";
+    }
+  } // namespace
+
+
+
+  TrajectoryTable::TrajectoryTable(const std::string &path,
+                                   const MPI_Comm     communicator,
+                                   const Position    &position,
+                                   const unsigned int n_digits)
+    : path(path)
+    , communicator(communicator)
+    , n_digits(n_digits)
+    , rows_written(position.rows)
+  {
+    std::string failure;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        failure = cut(path, position.bytes);
+        if (failure.empty())
+          file.open(path, std::ios::app);
+      }
+    failure = Utilities::MPI::broadcast(communicator, failure, 0);
+    if (!failure.empty())
+      throw Error("File '" + path + "' " + failure + ".");
+    check_file("cannot be opened for writing: check that its directory exists "
+               "and is yours");
+  }
+
+
+
   void
   TrajectoryTable::declare(const std::string &name, const std::string &unit)
   {
-    AssertThrow(rows_written == 0,
+    AssertThrow(!row_begun,
                 ExcMessage("Column '" + name +
                            "' is declared after the first row."));
     AssertThrow(!name.empty() &&
@@ -50,6 +102,7 @@ namespace Catena
     AssertThrow(position != index_of.end(),
                 ExcMessage("There is no column '" + name + "'."));
 
+    row_begun      = true;
     Column &column = columns[position->second];
     AssertThrow(!column.is_set,
                 ExcMessage("Column '" + name + "' has a value in this row."));
@@ -83,6 +136,30 @@ namespace Catena
       file << text.str() << std::flush;
     check_file("cannot be written: is the disk full?");
     ++rows_written;
+  }
+
+
+
+  TrajectoryTable::Position
+  TrajectoryTable::sync()
+  {
+    Position position;
+    position.rows = rows_written;
+    bool good     = true;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        file.flush();
+        const int descriptor = open(path.c_str(), O_RDONLY);
+        good = file.good() && descriptor >= 0 && fsync(descriptor) == 0;
+        if (descriptor >= 0)
+          close(descriptor);
+        std::error_code error;
+        position.bytes = std::filesystem::file_size(path, error);
+        good           = good && !error;
+      }
+    if (!Utilities::MPI::broadcast(communicator, good, 0))
+      throw Error("File '" + path + "' cannot be written: is the disk full?");
+    return position;
   }
 
 

@@ -7,6 +7,13 @@ namespace Catena
 {
   using namespace dealii;
 
+  namespace
+  {
+    constexpr double largest_size = 1e4;
+  } // namespace
+
+
+
   void
   BoxParameters::declare(ParameterHandler &prm)
   {
@@ -32,10 +39,10 @@ namespace Catena
     for (const auto &size : {std::make_pair("Scene/Length", length),
                              std::make_pair("Scene/Height", height),
                              std::make_pair("Scene/Width", width)})
-      require(size.second > 0.,
+      require(size.second > 0. && size.second <= largest_size,
               size.first,
               size.second,
-              "give a positive size");
+              "give a positive size of at most 10000 a");
   }
 
 

@@ -34,6 +34,12 @@ namespace Catena
             "Scene/Height",
             height,
             "enlarge the channel: it must be wider than the cylinder");
+    for (const auto &size : {std::make_pair("Scene/Length", length),
+                             std::make_pair("Scene/Height", height)})
+      require(size.second <= 1e4,
+              size.first,
+              size.second,
+              "give a size of at most 10000 radii");
     scene().check();
   }
 

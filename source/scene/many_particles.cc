@@ -10,6 +10,13 @@ namespace Catena
 {
   using namespace dealii;
 
+  namespace
+  {
+    constexpr unsigned int most_particles = 2000;
+  } // namespace
+
+
+
   ManyParticlesParameters::ManyParticlesParameters()
   {
     box.length = 20.;
@@ -70,10 +77,14 @@ namespace Catena
     box.check();
     require(!radii.empty(), "Scene/Radii", "", "give at least one radius");
     for (const double radius : radii)
-      require(radius > 0. && std::isfinite(radius),
+      require(radius >= 0.01 && radius <= 100.,
               "Scene/Radii",
               radius,
-              "give positive radii");
+              "give radii from 0.01 to 100");
+    require(number <= most_particles,
+            "Scene/Number",
+            number,
+            "choose at most " + std::to_string(most_particles));
     require(volume_fraction >= 0. && volume_fraction < 0.35,
             "Scene/Volume fraction",
             volume_fraction,
@@ -86,10 +97,10 @@ namespace Catena
             "Scene/Volume fraction",
             volume_fraction,
             "give a number for particles on the mirror plane");
-    require(smallest_distance >= 0. && std::isfinite(smallest_distance),
+    require(smallest_distance >= 0. && smallest_distance <= 1e4,
             "Scene/Smallest distance",
             smallest_distance,
-            "choose a distance of 0 or more");
+            "choose a distance of 0 or more, less than the box");
     require(!centres.empty() || number > 0 || volume_fraction > 0.,
             "Scene/Number",
             number,
@@ -126,6 +137,11 @@ namespace Catena
           left -= volume(k);
         for (; left > volume(i) / 2.; ++i)
           {
+            require(result.size() < most_particles,
+                    "Scene/Volume fraction",
+                    volume_fraction,
+                    "these are more than " + std::to_string(most_particles) +
+                      " particles: choose larger ones or a smaller box");
             result.push_back(radius(i));
             left -= volume(i);
           }

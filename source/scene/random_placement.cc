@@ -1,6 +1,8 @@
 #include <catena/base/exceptions.h>
 #include <catena/scene/random_placement.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -19,6 +21,25 @@ namespace Catena
     uniform(std::mt19937_64 &generator, const double low, const double high)
     {
       return low + (high - low) * std::ldexp(generator() >> 11, -53);
+    }
+
+
+
+    /// Refuse what could be tried for hours.
+    template <int dim>
+    void
+    check_room(const Scene<dim> &scene, const std::vector<double> &radii)
+    {
+      double room = 1.;
+      for (unsigned int d = 0; d < dim; ++d)
+        room *= scene.upper()[d] - scene.lower()[d];
+      for (const double radius : radii)
+        room -= (dim == 3 ? 4. / 3. : 1.) * numbers::PI *
+                std::pow(radius, dim) / (scene.mirrored() ? 2. : 1.);
+      require(room > 0.,
+              "Scene/Number",
+              radii.size(),
+              "the particles have more volume than the box: choose fewer");
     }
 
 
@@ -47,6 +68,7 @@ namespace Catena
     std::mt19937_64    generator(seed);
     const Point<dim>   low = scene.lower(), high = scene.upper();
     const unsigned int first = scene.particles.size();
+    check_room(scene, radii);
 
     std::vector<unsigned int> order(radii.size()), places(radii.size());
     std::iota(order.begin(), order.end(), 0);

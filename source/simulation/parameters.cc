@@ -1,5 +1,8 @@
 #include <catena/base/exceptions.h>
+#include <catena/particles/contacts.h>
 #include <catena/simulation/parameters.h>
+
+#include <cmath>
 
 namespace Catena
 {
@@ -72,6 +75,10 @@ namespace Catena
                       "Strains at which the fields are written for ParaView, "
                       "separated by commas.");
     prm.leave_subsection();
+
+    prm.enter_subsection("Checkpoint");
+    checkpoint.declare(prm);
+    prm.leave_subsection();
   }
 
 
@@ -80,15 +87,21 @@ namespace Catena
   SimulationParameters::check() const
   {
     fluid.check();
-    require(minimal_gap > 0. && minimal_gap < 1.,
+    require(!viscoelastic() || (fluid.giesekus.weissenberg_number >= 1e-4 &&
+                                fluid.giesekus.weissenberg_number <= 1e4),
+            "Fluid/Weissenberg number",
+            fluid.giesekus.weissenberg_number,
+            "a simulation needs a value from 1e-4 to 1e4; for a fluid without "
+            "elasticity choose 'Fluid/Model' = newtonian");
+    require(minimal_gap >= 1e-6 && minimal_gap < 1.,
             "Particles/Minimal gap",
             minimal_gap,
             "choose a value between 0.001 and 1, 0.02 is usual");
     step_control.check();
-    require(final_strain >= 0.,
+    require(final_strain >= 0. && final_strain <= 1e6,
             "Time/Final strain",
             final_strain,
-            "choose a strain that is not negative");
+            "choose a strain from 0 to 1e6");
     for (unsigned int i = 0; i < reversal_strains.size(); ++i)
       require(reversal_strains[i] > (i > 0 ? reversal_strains[i - 1] : 0.),
               "Time/Reversal strains",
@@ -103,13 +116,72 @@ namespace Catena
             "Mesh/Remesh gap",
             remesh_gap,
             "choose a fraction between 0 and 1");
+    require(!output_directory.empty(),
+            "Output/Directory",
+            "''",
+            "name a folder for the results");
     flow_solver.check();
     nonlinear_solver.check();
     conformation_solver.check();
+    checkpoint.check();
     for (const double strain : field_strains)
       require(strain <= final_strain,
               "Output/Field strains",
               strain,
               "choose strains up to 'Time/Final strain'");
   }
+
+
+
+  namespace
+  {
+    /// No computer has room for more.
+    constexpr double most_elements = 1e9;
+
+    /// Volume of regular tetrahedra and triangles with edges of length 1.
+    template <int dim>
+    constexpr double volume_of_element = dim == 3 ? 0.11785 : 0.43301;
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  SimulationParameters::check_scene(const Scene<dim> &scene) const
+  {
+    scene.check();
+    double volume = 1.;
+    for (unsigned int d = 0; d < dim; ++d)
+      volume *= scene.upper()[d] - scene.lower()[d];
+    const double n_elements =
+      volume / (volume_of_element<dim> * std::pow(mesh.maximal_size, dim));
+    require(n_elements < most_elements,
+            "Mesh/Maximal size",
+            mesh.maximal_size,
+            "the box would get more than " + std::to_string(n_elements) +
+              " elements: choose a larger size or a smaller box");
+
+    Configuration<dim> configuration;
+    for (const Particle<dim> &particle : scene.particles)
+      configuration.centres.push_back(particle.centre);
+    try
+      {
+        Contacts<dim>(scene, minimal_gap).enforce(configuration);
+      }
+    catch (const SolverError &)
+      {
+        throw InputError("Particles/Minimal gap",
+                         minimal_gap,
+                         "the box has no room for the particles with this gap "
+                         "between them and to the walls: choose a smaller one "
+                         "or enlarge the box");
+      }
+  }
+
+
+
+  template void
+  SimulationParameters::check_scene(const Scene<2> &) const;
+  template void
+  SimulationParameters::check_scene(const Scene<3> &) const;
 } // namespace Catena

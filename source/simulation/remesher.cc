@@ -49,6 +49,7 @@ namespace Catena
           share(description.cells);
           share(description.boundary.boundary_lines);
           share(description.boundary.boundary_quads);
+          share(description.attempts);
         }
       return description;
     }
@@ -183,11 +184,13 @@ namespace Catena
     const Configuration<dim> reference = rounded(configuration);
     const Scene<dim>         layout    = scene_at(reference);
 
+    const MeshDescription<dim> description =
+      mesh_on_all_ranks<dim>(layout, parameters.mesh, communicator);
+
     Discretization<dim> result;
-    result.mesh = std::make_unique<MovingMesh<dim>>(
-      communicator,
-      layout,
-      mesh_on_all_ranks<dim>(layout, parameters.mesh, communicator));
+    result.attempts = description.attempts;
+    result.mesh =
+      std::make_unique<MovingMesh<dim>>(communicator, layout, description);
     result.mover = std::make_unique<MeshMover<dim>>(*result.mesh, reference);
     result.initial_quality = result.mesh->quality();
     result.mesh->set_positions(result.mover->positions(configuration));
@@ -309,19 +312,32 @@ namespace Catena
   void
   Remesher<dim>::remesh(State<dim> &state, Configuration<dim> &next) const
   {
-    choose_images(scene_at(next), state, next);
-    Discretization<dim>    fresh = make(next);
-    const MovingMesh<dim> &mesh  = *state.discretization.mesh;
+    // on copies: if this fails all is as before
+    Configuration<dim> fresh_next = next;
+    State<dim>         fresh;
+    fresh.now            = state.now;
+    fresh.before         = state.before;
+    fresh.last_dt        = state.last_dt;
+    fresh.holding_forces = state.holding_forces;
 
-    for (Level<dim> *level : {&state.now, &state.before})
+    choose_images(scene_at(fresh_next), fresh, fresh_next);
+    fresh.discretization                   = make(fresh_next);
+    MovingMesh<dim>       &mesh            = *fresh.discretization.mesh;
+    const MovingMesh<dim> &old_mesh        = *state.discretization.mesh;
+    const VectorType       final_positions = mesh.positions();
+
+    for (Level<dim> *level : {&fresh.now, &fresh.before})
       {
         if (level->positions.size() == 0)
           continue;
         const VectorType positions =
-          fresh.mover->positions(level->configuration);
-        const FieldTransfer<dim> transfer(mesh,
+          fresh.discretization.mover->positions(level->configuration);
+        mesh.set_positions(positions);
+        if (!(mesh.quality() > 0.))
+          throw MeshError("The new mesh is inverted at an earlier instant.");
+        const FieldTransfer<dim> transfer(old_mesh,
                                           level->positions,
-                                          *fresh.mesh,
+                                          mesh,
                                           positions);
         level->positions = positions;
         if (level->flow.velocity.size() > 0)
@@ -331,9 +347,11 @@ namespace Catena
           }
         if (!level->log_conformation.empty())
           level->log_conformation = transfer_conformation(
-            transfer, level->log_conformation, *fresh.mesh, positions);
+            transfer, level->log_conformation, mesh, positions);
       }
-    state.discretization = std::move(fresh);
+    mesh.set_positions(final_positions);
+    state = std::move(fresh);
+    next  = fresh_next;
   }
 
 

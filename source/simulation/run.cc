@@ -1,71 +1,21 @@
 #include <catena/base/program_options.h>
-#include <catena/output/field_output.h>
 #include <catena/output/progress.h>
+#include <catena/simulation/checkpoint.h>
+#include <catena/simulation/field_schedule.h>
 #include <catena/simulation/run.h>
+#include <catena/simulation/run_identity.h>
+#include <catena/simulation/signals.h>
 #include <catena/simulation/trajectory.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <memory>
 #include <sstream>
 
 namespace Catena
 {
   using namespace dealii;
-
-  namespace
-  {
-    /**
-     * Writes the fields once for each strain asked for, at the first instant
-     * that has reached it.
-     */
-    template <int dim>
-    class FieldSchedule
-    {
-    public:
-      FieldSchedule(const SimulationParameters &parameters,
-                    const std::string          &directory,
-                    const MPI_Comm              communicator)
-        : strains(parameters.field_strains)
-        , modulus(parameters.viscoelastic() ?
-                    Giesekus<dim>(parameters.fluid.giesekus).modulus() :
-                    0.)
-        , output(directory, "fields", communicator)
-      {
-        std::sort(strains.begin(), strains.end());
-      }
-
-      void
-      write_if_due(Simulation<dim> &simulation)
-      {
-        bool due = false;
-        for (; next < strains.size() &&
-               strains[next] <= simulation.strain() + 1e-9;
-             ++next)
-          due = true;
-        if (!due)
-          return;
-        const auto        timer = simulation.report().time("output");
-        const Level<dim> &now   = simulation.current_state().now;
-        const auto       &mesh  = simulation.mesh();
-        output.write(now.time,
-                     mesh.mapping(),
-                     mesh.vector_dofs(),
-                     now.flow.velocity,
-                     mesh.scalar_dofs(),
-                     now.flow.pressure,
-                     now.log_conformation,
-                     modulus);
-      }
-
-    private:
-      std::vector<double> strains;
-      const double        modulus;
-      FieldOutput<dim>    output;
-      unsigned int        next = 0;
-    };
-  } // namespace
-
-
 
   namespace
   {
@@ -97,6 +47,12 @@ namespace Catena
         progress.message(text.str());
       }
 
+      void
+      archive(Archive &archive)
+      {
+        archive(largest, warned);
+      }
+
     private:
       /// a stretch of e^8 = 3000 in c
       static constexpr double suspicious_log = 8.;
@@ -108,58 +64,393 @@ namespace Catena
 
 
 
-  template <int dim>
-  void
-  run_simulation(const Scene<dim>           &scene,
-                 const SimulationParameters &parameters,
-                 const std::string          &directory,
-                 const bool                  overwrite,
-                 const MPI_Comm              communicator)
+  namespace
   {
-    Simulation<dim> simulation(scene, parameters, communicator);
-    prepare_output_directory(directory, overwrite, communicator);
-    simulation.initialize();
+    /**
+     * Tells when a checkpoint is due. Wall time is that of process 0.
+     */
+    class CheckpointClock
+    {
+    public:
+      CheckpointClock(const CheckpointParameters &parameters,
+                      const MPI_Comm              communicator)
+        : parameters(parameters)
+        , communicator(communicator)
+      {}
 
-    Trajectory<dim>    trajectory(directory + "/trajectory.csv",
-                               simulation,
-                               communicator);
-    FieldSchedule<dim> fields(parameters, directory, communicator);
-    Progress           progress(simulation.initial_strain(),
-                      parameters.final_strain,
-                      communicator);
-    const auto         record = [&](const StepReport &step) {
+      bool
+      is_due(const double strain) const
       {
-        const auto timer = simulation.report().time("output");
-        trajectory.record(step);
+        if (!parameters.enabled)
+          return false;
+        const double passed =
+          Utilities::MPI::broadcast(communicator, wall_clock() - second);
+        return (parameters.strain_interval > 0. &&
+                interval(strain) > interval(last_strain)) ||
+               (parameters.wall_time_interval > 0. &&
+                passed > 60. * parameters.wall_time_interval);
       }
-      fields.write_if_due(simulation);
+
+      void
+      restart(const double strain)
+      {
+        last_strain = strain;
+        second      = wall_clock();
+      }
+
+    private:
+      const CheckpointParameters parameters;
+      const MPI_Comm             communicator;
+      double                     last_strain = 0., second = 0.;
+
+      double
+      interval(const double strain) const
+      {
+        return std::floor(strain / parameters.strain_interval + 1e-9);
+      }
+    };
+  } // namespace
+
+
+
+  namespace
+  {
+    /**
+     * A simulation with all that records it.
+     */
+    template <int dim>
+    class Run
+    {
+    public:
+      Run(const Scene<dim>           &scene,
+          const SimulationParameters &parameters,
+          const std::string          &directory,
+          const MPI_Comm              communicator)
+        : simulation(scene, parameters, communicator)
+        , identity(scene, parameters)
+        , parameters(parameters)
+        , directory(directory)
+        , communicator(communicator)
+        , has_line(scene.line)
+        , checkpoint(directory, communicator)
+        , clock(parameters.checkpoint, communicator)
+      {}
+
+      Simulation<dim> simulation;
+
+      void
+      start();
+
+      void
+      resume();
+
+      void
+      go_on();
+
+      /// @p error with where it happened, and how to go on.
+      Error
+      in_context(const Error &error) const;
+
+      void
+      report_failure();
+
+    private:
+      const RunIdentity          identity;
+      const SimulationParameters parameters;
+      const std::string          directory;
+      const MPI_Comm             communicator;
+      const bool                 has_line;
+
+      std::unique_ptr<Trajectory<dim>>    trajectory;
+      std::unique_ptr<FieldSchedule<dim>> fields;
+      std::unique_ptr<Progress>           progress;
+      HealthWatch                         health;
+      Checkpoint                          checkpoint;
+      CheckpointClock                     clock;
+
+      std::string
+      table_path() const
+      {
+        return directory + "/trajectory.csv";
+      }
+
+      void
+      begin_progress();
+
+      void
+      load(Archive &archive);
+
+      void
+      record(const StepReport &step);
+
+      void
+      show(const StepReport &step);
+
+      void
+      write_checkpoint();
+
+      void
+      answer(const Signals &signals);
     };
 
-    HealthWatch health;
-    record(StepReport());
-    while (simulation.strain() < parameters.final_strain - 1e-9)
-      {
-        const StepReport step = simulation.advance();
-        record(step);
-        if (parameters.viscoelastic())
-          health.look_at(step.extremes,
-                         simulation.strain(),
-                         progress,
-                         simulation.report());
-        Progress::Status status;
-        status.strain = simulation.strain();
-        if (scene.line)
-          status.theta =
-            simulation.current_state().now.configuration.frame_angle * 180. /
-            numbers::PI;
-        status.dt         = step.dt;
-        status.iterations = step.flow_iterations;
-        progress.update(status);
-      }
-    progress.finish();
 
-    simulation.report().write(directory);
-    simulation.report().print(std::cout);
+
+    template <int dim>
+    void
+    Run<dim>::start()
+    {
+      checkpoint.clear();
+      simulation.initialize();
+      trajectory = std::make_unique<Trajectory<dim>>(table_path(),
+                                                     simulation,
+                                                     communicator);
+      fields     = std::make_unique<FieldSchedule<dim>>(parameters,
+                                                    directory,
+                                                    communicator);
+      begin_progress();
+      record(StepReport());
+      if (parameters.checkpoint.enabled)
+        write_checkpoint();
+    }
+
+
+
+    template <int dim>
+    void
+    Run<dim>::begin_progress()
+    {
+      progress = std::make_unique<Progress>(simulation.strain(),
+                                            parameters.final_strain,
+                                            communicator);
+    }
+
+
+
+    template <int dim>
+    void
+    Run<dim>::resume()
+    {
+      Archive archive(checkpoint.read());
+      try
+        {
+          load(archive);
+        }
+      catch (const CheckpointError &error)
+        {
+          throw CheckpointError("The checkpoint in '" + directory +
+                                "' cannot be used: " + error.what());
+        }
+      clock.restart(simulation.strain());
+      simulation.report().count("resumed runs");
+      begin_progress();
+      std::ostringstream text;
+      text << "Going on from strain " << simulation.strain();
+      progress->message(text.str());
+    }
+
+
+
+    template <int dim>
+    void
+    Run<dim>::load(Archive &archive)
+    {
+      RunIdentity of_checkpoint;
+      archive(of_checkpoint);
+      identity.check_continues(of_checkpoint);
+      simulation.archive(archive);
+      TrajectoryTable::Position position;
+      archive(position, health);
+      simulation.report().archive(archive);
+      trajectory = std::make_unique<Trajectory<dim>>(table_path(),
+                                                     simulation,
+                                                     communicator,
+                                                     position);
+      fields     = std::make_unique<FieldSchedule<dim>>(parameters,
+                                                    directory,
+                                                    communicator);
+      fields->archive(archive, simulation.strain());
+      archive.finish();
+    }
+
+
+
+    template <int dim>
+    void
+    Run<dim>::write_checkpoint()
+    {
+      const auto                timer = simulation.report().time("checkpoints");
+      TrajectoryTable::Position position = trajectory->sync();
+      RunIdentity               mine     = identity;
+      simulation.report().count("checkpoints");
+      Archive archive;
+      archive(mine);
+      simulation.archive(archive);
+      archive(position, health);
+      simulation.report().archive(archive);
+      fields->archive(archive, simulation.strain());
+      checkpoint.write(archive.bytes(), simulation.strain());
+      clock.restart(simulation.strain());
+    }
+
+
+
+    template <int dim>
+    void
+    Run<dim>::record(const StepReport &step)
+    {
+      {
+        const auto timer = simulation.report().time("output");
+        trajectory->record(step);
+      }
+      fields->write_if_due(simulation);
+    }
+
+
+
+    template <int dim>
+    void
+    Run<dim>::show(const StepReport &step)
+    {
+      for (const std::string &trouble : step.troubles)
+        progress->message(trouble);
+      if (parameters.viscoelastic())
+        health.look_at(step.extremes,
+                       simulation.strain(),
+                       *progress,
+                       simulation.report());
+      Progress::Status status;
+      status.strain = simulation.strain();
+      if (has_line)
+        status.theta =
+          simulation.current_state().now.configuration.frame_angle * 180. /
+          numbers::PI;
+      status.dt         = step.dt;
+      status.iterations = step.flow_iterations;
+      progress->update(status);
+    }
+
+
+
+    /**
+     * Write a checkpoint if it is due or asked for.
+     * @throws Interrupted if the run was asked to end
+     */
+    template <int dim>
+    void
+    Run<dim>::answer(const Signals &signals)
+    {
+      const Signals::Request request = signals.pending(communicator);
+      if (parameters.checkpoint.enabled &&
+          (clock.is_due(simulation.strain()) || request.checkpoint))
+        write_checkpoint();
+      if (request.end == 0)
+        return;
+      std::ostringstream text;
+      text << "Stopped by " << Signals::name(request.end) << " at strain "
+           << simulation.strain()
+           << (parameters.checkpoint.enabled ?
+                 ": run again with --resume to go on" :
+                 " without a checkpoint");
+      throw Interrupted(request.end, text.str());
+    }
+
+
+
+    template <int dim>
+    void
+    Run<dim>::go_on()
+    {
+      const Signals signals;
+      const auto    is_finished = [&]() {
+        return simulation.strain() >= parameters.final_strain - 1e-9;
+      };
+      const bool nothing_to_do = is_finished();
+      while (!is_finished())
+        {
+          const StepReport step = simulation.advance();
+          record(step);
+          show(step);
+          answer(signals);
+        }
+      progress->finish();
+      if (parameters.checkpoint.enabled && !nothing_to_do)
+        write_checkpoint();
+      simulation.report().write(directory);
+      simulation.report().print(std::cout);
+    }
+
+
+
+    template <int dim>
+    Error
+    Run<dim>::in_context(const Error &error) const
+    {
+      std::ostringstream text;
+      const std::string  message = error.what();
+      text << "At strain " << simulation.strain() << ": " << message
+           << (message.empty() || message.back() != '.' ? "." : "");
+      if (checkpoint.strain())
+        text << " The last checkpoint is that of strain "
+             << *checkpoint.strain()
+             << ": run again with --resume to go on from there.";
+      return Error(text.str());
+    }
+
+
+
+    /// As much of the report as can be written.
+    template <int dim>
+    void
+    Run<dim>::report_failure()
+    {
+      if (progress)
+        progress->finish();
+      try
+        {
+          simulation.report().write(directory);
+        }
+      catch (const Error &)
+        {
+          // what went wrong first is what counts
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  run_simulation(const Scene<dim>                             &scene,
+                 const SimulationParameters                   &parameters,
+                 const RunOptions                             &options,
+                 const MPI_Comm                                communicator,
+                 const std::function<void(Simulation<dim> &)> &prepare)
+  {
+    Run<dim> run(scene, parameters, options.directory, communicator);
+    if (options.resume)
+      run.resume();
+    else
+      prepare_output_directory(options.directory,
+                               options.overwrite,
+                               communicator);
+    try
+      {
+        if (!options.resume)
+          run.start();
+        if (prepare)
+          prepare(run.simulation);
+        run.go_on();
+      }
+    catch (const Interrupted &)
+      {
+        run.report_failure();
+        throw;
+      }
+    catch (const Error &error)
+      {
+        run.report_failure();
+        throw run.in_context(error);
+      }
   }
 
 
@@ -167,13 +458,13 @@ namespace Catena
   template void
   run_simulation<2>(const Scene<2> &,
                     const SimulationParameters &,
-                    const std::string &,
-                    const bool,
-                    const MPI_Comm);
+                    const RunOptions &,
+                    const MPI_Comm,
+                    const std::function<void(Simulation<2> &)> &);
   template void
   run_simulation<3>(const Scene<3> &,
                     const SimulationParameters &,
-                    const std::string &,
-                    const bool,
-                    const MPI_Comm);
+                    const RunOptions &,
+                    const MPI_Comm,
+                    const std::function<void(Simulation<3> &)> &);
 } // namespace Catena

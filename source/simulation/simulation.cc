@@ -1,15 +1,12 @@
 #include <catena/base/exceptions.h>
-#include <catena/conformation/conformation_change.h>
-#include <catena/conformation/strain_rate_projection.h>
-#include <catena/flow/carreau_stress.h>
-#include <catena/flow/particle_forces.h>
-#include <catena/flow/stress_prediction.h>
 #include <catena/flow/velocity_constraints.h>
 #include <catena/output/progress.h>
 #include <catena/simulation/simulation.h>
+#include <catena/simulation/step_error.h>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace Catena
 {
@@ -33,10 +30,6 @@ namespace Catena
     /// Strains that differ by rounding only
     constexpr double same_strain = 1e-9;
 
-    /// A log-conformation off its extrapolation by more is not followed: the
-    /// stress is predicted with that extrapolation.
-    constexpr double largest_change = 1.;
-
     /// What held the particles is let go over one unit of strain.
     constexpr double ramp_end = 1.;
   } // namespace
@@ -51,24 +44,18 @@ namespace Catena
     , parameters(parameters)
     , communicator(communicator)
     , remesher(scene, parameters, communicator)
+    , run_report(communicator)
     , bodies(scene)
     , contacts(scene, parameters.minimal_gap)
-    , flow_solver(parameters.flow_solver)
+    , flow_step(this->parameters, run_report)
     , step_control(parameters.step_control)
-    , run_report(communicator)
   {
-    scene.check();
     parameters.check();
+    parameters.check_scene(scene);
     if (parameters.viscoelastic())
       conformation_solver = std::make_unique<ConformationSolver<dim>>(
         Giesekus<dim>(parameters.fluid.giesekus),
         parameters.conformation_solver);
-    if (parameters.fluid.model == FluidParameters::Model::carreau)
-      nonlinear_solver =
-        std::make_unique<NonlinearFlowSolver<dim>>(flow_solver,
-                                                   Carreau(
-                                                     parameters.fluid.carreau),
-                                                   parameters.nonlinear_solver);
   }
 
 
@@ -128,6 +115,7 @@ namespace Catena
       state.discretization = remesher.make(now.configuration);
     }
     set_up_solvers();
+    count_attempts();
     now.positions = mesh().positions();
 
     // the first guess is the imposed flow
@@ -161,11 +149,14 @@ namespace Catena
   Simulation<dim>::set_up_solvers()
   {
     const auto timer = run_report.time("degrees of freedom and sparsity");
-    flow_solver.reinit(mesh(), bodies, state.now.configuration, held);
+    flow_step.reinit(*state.discretization.mesh,
+                     bodies,
+                     state.now.configuration,
+                     held);
     if (conformation_solver)
       conformation_solver->reinit(mesh());
     run_report.note("elements", mesh().n_global_cells());
-    run_report.note("unknowns of the flow", flow_solver.n_unknowns());
+    run_report.note("unknowns of the flow", flow_step.n_unknowns());
     run_report.note("unknowns of the conformation",
                     conformation_solver ? n_symmetric_components(dim) *
                                             mesh().scalar_dofs().n_dofs() :
@@ -221,9 +212,6 @@ namespace Catena
     if (last_held_step)
       let_go();
 
-    if (conformation_solver)
-      result.extremes =
-        conformation_extremes<dim>(mesh(), state.now.log_conformation);
     run_report.count("flow iterations", result.flow_iterations);
     run_report.count("remeshes", result.remeshed ? 1 : 0);
     result.seconds = wall_clock() - begin;
@@ -245,95 +233,90 @@ namespace Catena
     step.previous_dt = state.last_dt;
     try
       {
-        next               = Level<dim>();
-        next.time          = state.now.time + step.dt;
-        next.configuration = moved_particles(step);
-        if (move_mesh(next))
-          report.remeshed = true;
-        const VectorType velocity_of_mesh = mesh_velocity(next, step);
-
-        next.flow = extrapolated_flow(step);
-        report.flow_iterations += solve_flow(next, step, velocity_of_mesh);
-        const auto predicted  = extrapolated_log_conformation(step);
-        next.log_conformation = predicted;
-        if (conformation_solver)
-          report.conformation_iterations =
-            solve_conformation(next, step, velocity_of_mesh);
-        report.dt    = step.dt;
-        report.error = step_error(next, predicted, step);
+        take_step(step, next, report);
         return step_control.accept(step.dt, report.error);
       }
-    catch (const SolverError &)
+    catch (const SolverError &error)
       {
-        if (!step_control.shorten(step.dt))
-          throw;
-        flow_solver.renew_preconditioner();
-        return false;
+        shorten_step(step, "a solver failed", error, report);
       }
-  }
-
-
-
-  /// Has a contact opened or closed in this step or in the last one?
-  template <int dim>
-  bool
-  Simulation<dim>::contacts_changed(const Level<dim> &next) const
-  {
-    const auto n_contacts = [](const Level<dim> &level) {
-      const std::vector<double> &forces = level.flow.contact_forces;
-      return std::count_if(forces.begin(),
-                           forces.end(),
-                           [](const double force) { return force > 0.; });
-    };
-    return n_contacts(next) != n_contacts(state.now) ||
-           n_contacts(state.now) != n_contacts(state.before);
+    catch (const MeshError &error)
+      {
+        shorten_step(step, "there was no mesh", error, report);
+      }
+    return false;
   }
 
 
 
   /**
-   * The larger one of two local errors: that of the positions, by the
-   * difference of Adams-Bashforth and trapezoidal rule, and what the
-   * extrapolation of the log-conformation misses, times the step. The
-   * velocities jump where a contact opens or closes; there the gap is exact.
-   *
-   * @throws SolverError if the conformation changes too fast to be followed, or
-   * is not finite
+   * @throws SolverError or MeshError
    */
   template <int dim>
-  double
-  Simulation<dim>::step_error(const Level<dim>              &next,
-                              const std::vector<VectorType> &predicted,
-                              const TimeStep                &step) const
+  void
+  Simulation<dim>::take_step(const TimeStep &step,
+                             Level<dim>     &next,
+                             StepReport     &report)
   {
-    const TwoLevelWeights weights = step.adams_bashforth();
-    // errors (2 dt + 3 dt') and -dt, times dt^2/12 and the third derivative
-    const double share = (2. * step.dt + 3. * step.previous_dt) /
-                         (3. * (step.dt + step.previous_dt));
-    double error_of_positions = 0.;
-    if (!held && !contacts_changed(next))
-      for (unsigned int i = 0; i < next.flow.motions.size(); ++i)
-        {
-          const Tensor<1, dim> &now = state.now.flow.motions[i].velocity;
-          Tensor<1, dim>        difference =
-            weights.b0 * now - (now + next.flow.motions[i].velocity) / 2.;
-          if (weights.b1 != 0.)
-            difference += weights.b1 * state.before.flow.motions[i].velocity;
-          error_of_positions =
-            std::max(error_of_positions, share * difference.norm());
-        }
-    ConformationChange change;
+    next               = Level<dim>();
+    next.time          = state.now.time + step.dt;
+    next.configuration = moved_particles(step);
+    move_mesh(next, report);
+    const VectorType velocity_of_mesh = mesh_velocity(next, step);
+
+    next.flow = extrapolated_flow(step);
+    report.flow_iterations += solve_flow(next, step, velocity_of_mesh);
+    inject(StepPart::flow, next);
+    const auto predicted  = extrapolated_log_conformation(step);
+    next.log_conformation = predicted;
     if (conformation_solver)
-      change =
-        conformation_change<dim>(mesh(), next.log_conformation, predicted);
-    if (!(change.largest <= largest_change) ||
-        !std::isfinite(next.flow.velocity.l2_norm()))
-      throw SolverError(
-        "At strain " + std::to_string(next.time) +
-        " the log-conformation is off its extrapolation by " +
-        std::to_string(change.largest) +
-        " somewhere: use a smaller 'Time/Time step' or a finer mesh.");
-    return step.dt * std::max(error_of_positions, change.mean);
+      {
+        report.conformation_iterations =
+          solve_conformation(next, step, velocity_of_mesh);
+        inject(StepPart::conformation, next);
+      }
+    report.dt    = step.dt;
+    report.error = step_error<dim>(state, next, predicted, step, held);
+    if (conformation_solver)
+      report.extremes =
+        conformation_extremes<dim>(mesh(), next.log_conformation);
+  }
+
+
+
+  /**
+   * @throws SolverError with the message of @p error if that step is the
+   * shortest
+   */
+  template <int dim>
+  void
+  Simulation<dim>::shorten_step(const TimeStep    &step,
+                                const std::string &cause,
+                                const Error       &error,
+                                StepReport        &report)
+  {
+    std::ostringstream text;
+    if (!step_control.shorten(step.dt))
+      {
+        text << "The shortest time step, " << step.dt
+             << ", fails: " << error.what();
+        throw SolverError(text.str());
+      }
+    flow_step.renew_preconditioner();
+    run_report.count("steps halved because " + cause);
+    text << "At strain " << state.now.time << " a step of " << step.dt
+         << " is halved: " << error.what();
+    report.troubles.push_back(text.str());
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::inject(const StepPart part, Level<dim> &next)
+  {
+    if (failure_injection)
+      failure_injection(part, next);
   }
 
 
@@ -416,12 +399,9 @@ namespace Catena
 
 
 
-  /**
-   * @return whether a new mesh was made
-   */
   template <int dim>
-  bool
-  Simulation<dim>::move_mesh(Level<dim> &next)
+  void
+  Simulation<dim>::move_mesh(Level<dim> &next, StepReport &report)
   {
     const Configuration<dim> &present = state.now.configuration;
     bool moved = next.configuration.frame_angle != present.frame_angle;
@@ -430,7 +410,7 @@ namespace Catena
     if (!moved && !remesh_requested)
       {
         next.positions = state.now.positions;
-        return false;
+        return;
       }
 
     bool remesh = remesh_requested;
@@ -438,20 +418,61 @@ namespace Catena
       const auto timer = run_report.time("mesh motion");
       next.positions =
         state.discretization.mover->positions(next.configuration);
+      inject(StepPart::mesh_motion, next);
       state.discretization.mesh->set_positions(next.positions);
       remesh |= remesher.is_due(state.discretization, next.configuration);
     }
     if (remesh)
+      change_mesh(next, report);
+  }
+
+
+
+  /**
+   * Put @p next on a new mesh. Without one, the old one has to do if it has
+   * half of the quality at which a new one is wanted.
+   */
+  template <int dim>
+  void
+  Simulation<dim>::change_mesh(Level<dim> &next, StepReport &report)
+  {
+    const double quality = mesh().quality();
+    if (!(quality > 0.))
+      run_report.count("new meshes for inverted ones");
+    try
       {
-        {
-          const auto timer = run_report.time("mesh generation and transfer");
-          remesher.remesh(state, next.configuration);
-          next.positions = mesh().positions();
-        }
-        set_up_solvers();
-        remesh_requested = false;
+        const auto timer = run_report.time("mesh generation and transfer");
+        inject(StepPart::mesh_generation, next);
+        remesher.remesh(state, next.configuration);
+        next.positions = mesh().positions();
       }
-    return remesh;
+    catch (const MeshError &error)
+      {
+        if (!(quality > 0.5 * parameters.remesh_quality *
+                          state.discretization.initial_quality))
+          throw;
+        run_report.count("new meshes put off");
+        std::ostringstream text;
+        text << "At strain " << next.time
+             << " a new mesh is put off: " << error.what();
+        report.troubles.push_back(text.str());
+        return;
+      }
+    set_up_solvers();
+    count_attempts();
+    remesh_requested = false;
+    report.remeshed  = true;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::count_attempts()
+  {
+    if (state.discretization.attempts > 1)
+      run_report.count("attempts at meshes that failed",
+                       state.discretization.attempts - 1);
   }
 
 
@@ -466,24 +487,6 @@ namespace Catena
     result.sadd(bdf.a0 / step.dt, bdf.a1 / step.dt, state.now.positions);
     if (bdf.a2 != 0.)
       result.add(bdf.a2 / step.dt, state.before.positions);
-    result.update_ghost_values();
-    return result;
-  }
-
-
-
-  /// At the present instant, by the central difference.
-  template <int dim>
-  VectorType
-  Simulation<dim>::old_mesh_velocity(const Level<dim> &next,
-                                     const TimeStep   &step) const
-  {
-    const double ahead = 1. / (step.dt * (1. + step.ratio()));
-    const double behind =
-      step.ratio() / (step.previous_dt * (1. + step.ratio()));
-    VectorType result = next.positions;
-    result.sadd(ahead, behind - ahead, state.now.positions);
-    result.add(-behind, state.before.positions);
     result.update_ghost_values();
     return result;
   }
@@ -526,82 +529,13 @@ namespace Catena
                               const TimeStep   &step,
                               const VectorType &mesh_velocity)
   {
-    const auto candidates    = contacts.candidates(next.configuration);
-    next.flow.contact_forces = contacts.remembered_forces(candidates);
-    if (nonlinear_solver)
-      {
-        const auto timer  = run_report.time("flow: solve");
-        const auto report = nonlinear_solver->solve(next.configuration,
-                                                    next.flow,
-                                                    candidates,
-                                                    external_forces(next.time));
-        contacts.remember(candidates, next.flow.contact_forces);
-        run_report.count("nonlinear steps of the flow",
-                         report.picard_steps + report.newton_steps);
-        find_reactions(next,
-                       CarreauStress<dim>(Carreau(parameters.fluid.carreau),
-                                          next.flow.velocity,
-                                          Linearisation::picard));
-        return report.linear_iterations;
-      }
-
-    const Level<dim>                 &now = state.now, &before = state.before;
-    VectorType                        convection, old_convection;
-    std::vector<VectorType>           smooth_strain_rate;
-    std::unique_ptr<StressModel<dim>> stress;
-    if (parameters.viscoelastic())
-      {
-        convection = next.flow.velocity;
-        convection -= mesh_velocity;
-        convection.update_ghost_values();
-        if (step.has_previous())
-          {
-            old_convection = now.flow.velocity;
-            old_convection -= old_mesh_velocity(next, step);
-            old_convection.update_ghost_values();
-          }
-        const Giesekus<dim> model(parameters.fluid.giesekus);
-        if (step.has_previous() &&
-            StressPrediction<dim>::numerical_viscosity(model) > 0.)
-          smooth_strain_rate =
-            StrainRateProjection<dim>(mesh()).project(now.flow.velocity);
-        stress = std::make_unique<StressPrediction<dim>>(
-          model,
-          step,
-          now.log_conformation,
-          before.log_conformation.empty() ? now.log_conformation :
-                                            before.log_conformation,
-          convection,
-          now.flow.velocity,
-          old_convection,
-          smooth_strain_rate);
-      }
-    else
-      stress = std::make_unique<NewtonianStress<dim>>();
-
-    {
-      const auto timer = run_report.time("flow: assembly");
-      flow_solver.assemble(next.configuration, *stress);
-    }
-    const auto         timer = run_report.time("flow: solve");
-    const unsigned int iterations =
-      flow_solver.solve(next.flow, candidates, external_forces(next.time));
-    contacts.remember(candidates, next.flow.contact_forces);
-    find_reactions(next, *stress);
-    return iterations;
-  }
-
-
-
-  /// What holds the particles, if any is held.
-  template <int dim>
-  void
-  Simulation<dim>::find_reactions(Level<dim>             &level,
-                                  const StressModel<dim> &stress) const
-  {
-    if (bodies.any_held())
-      level.flow.reactions = particle_forces<dim>(
-        mesh(), bodies, level.configuration, stress, level.flow);
+    return flow_step.solve(next,
+                           step,
+                           state.now,
+                           state.before,
+                           mesh_velocity,
+                           external_forces(next.time),
+                           contacts);
   }
 
 
@@ -676,6 +610,29 @@ namespace Catena
     for (double &force : forces)
       force *= held ? 0. : std::max(0., 1. - time / ramp_end);
     return forces;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::archive(Archive &archive)
+  {
+    archive(held, remesh_requested, step_control, contacts);
+    state.archive(archive, scene, communicator);
+    if (archive.is_loading())
+      {
+        bodies.hold_in_place(held);
+        if (state.holding_forces.size() != bodies.n_unknowns() ||
+            state.now.flow.motions.size() != scene.particles.size() ||
+            state.now.log_conformation.empty() == parameters.viscoelastic())
+          throw CheckpointError("it is of another simulation");
+        set_up_solvers();
+      }
+    FieldArchive<dim> fields(archive, mesh());
+    flow_step.archive(fields);
+    if (archive.is_loading())
+      state.discretization.mesh->set_positions(state.now.positions);
   }
 
 

@@ -47,11 +47,11 @@ namespace Catena
   void
   StepControlParameters::check() const
   {
-    require(time_step > 0. && time_step <= 1.,
+    require(time_step >= 1e-6 && time_step <= 1.,
             "Time/Time step",
             time_step,
             "choose a positive time step of at most 1, 0.08 is usual");
-    require(tolerance >= 0. && tolerance < 1.,
+    require(tolerance == 0. || (tolerance >= 1e-12 && tolerance < 1.),
             "Time/Tolerance",
             tolerance,
             "choose 0 for constant steps or a tolerance below 1, 4e-4 is "

@@ -44,6 +44,21 @@ namespace Catena
 
 
   template <int dim>
+  Trajectory<dim>::Trajectory(const std::string               &path,
+                              const Simulation<dim>           &simulation,
+                              const MPI_Comm                   communicator,
+                              const TrajectoryTable::Position &position)
+    : simulation(simulation)
+    , table(path, communicator, position)
+    , has_gap(std::isfinite(simulation.contact_set().smallest_gap(
+        simulation.current_state().now.configuration)))
+  {
+    declare_columns();
+  }
+
+
+
+  template <int dim>
   void
   Trajectory<dim>::declare_columns()
   {

@@ -64,6 +64,30 @@ namespace Catena
   };
 
   /**
+   * A checkpoint that cannot be written, or one that cannot be used: damaged,
+   * of another version or of another run.
+   */
+  class CheckpointError : public Error
+  {
+  public:
+    using Error::Error;
+  };
+
+  /**
+   * A run that was asked to end by a signal, and did so in good order.
+   */
+  class Interrupted : public Error
+  {
+  public:
+    Interrupted(const int signal, const std::string &message)
+      : Error(message)
+      , signal(signal)
+    {}
+
+    const int signal;
+  };
+
+  /**
    * Refuse an input: throw InputError unless @p acceptable.
    */
   template <typename T>

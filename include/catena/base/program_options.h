@@ -37,6 +37,9 @@ namespace Catena
     /// Results of an earlier run may be replaced.
     bool overwrite = false;
 
+    /// Go on from the last checkpoint of an earlier run.
+    bool resume = false;
+
     /// Where the results go, @p in_file being what the parameter file says.
     const std::string &
     results_directory(const std::string &in_file) const
@@ -47,7 +50,7 @@ namespace Catena
     /**
      * Read the command line
      * `[FILE.prm] [--template] [--validate FILE.prm] [--output DIR]
-     * [--overwrite] [--help]`.
+     * [--overwrite | --resume] [--help]`.
      *
      * @throws InputError for an option that is unknown, incomplete or does not
      *   go with another.
@@ -66,6 +69,9 @@ namespace Catena
     /// One sentence.
     std::string description;
 
+    /// Does it write checkpoints, so that a run can go on from there?
+    bool can_resume = false;
+
     /// Declare all parameters.
     std::function<void(dealii::ParameterHandler &)> declare;
 
@@ -81,7 +87,8 @@ namespace Catena
    * stream.
    *
    * @return The exit code: 0 if all went well, 2 if the command line, the
-   *   parameter file or a parameter was refused, 1 if the run failed.
+   *   parameter file or a parameter was refused, 1 if the run failed, 128
+   *   and the number of the signal if one has ended it.
    */
   int
   run_program(int argc, char **argv, const Program &program);

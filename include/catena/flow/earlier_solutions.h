@@ -3,6 +3,7 @@
 
 #include <catena/base/types.h>
 #include <catena/flow/flow_operator.h>
+#include <catena/mesh/field_archive.h>
 
 #include <deque>
 
@@ -39,6 +40,13 @@ namespace Catena
     improve(const FlowOperator<dim> &system,
             const BlockVectorType   &rhs,
             BlockVectorType         &guess) const;
+
+    /**
+     * Save or load them.
+     * @param layout a vector with the blocks of a solution without contacts
+     */
+    void
+    archive(FieldArchive<dim> &archive, const BlockVectorType &layout);
 
   private:
     /// newest first; velocity, pressure and rigid-body motions

@@ -153,6 +153,30 @@ namespace Catena
       preconditioner_is_due = true;
     }
 
+    /// Was the preconditioner made of the matrices that are assembled now?
+    bool
+    has_fresh_preconditioner() const
+    {
+      return preconditioner_is_fresh;
+    }
+
+    /**
+     * How often a solve has stalled with a preconditioner from before, and was
+     * repeated with a fresh one.
+     */
+    unsigned int
+    n_stalled_solves() const
+    {
+      return stalled_solves;
+    }
+
+    /**
+     * Save or load what the next solve depends on, but for the preconditioner:
+     * it is to be made first, by an assembly like the one it was made of.
+     */
+    void
+    archive(FieldArchive<dim> &archive);
+
     /**
      * The residual of the assembled equations at @p fields, which satisfy the
      * constraints. With a stress linearised about @p fields it is that of the
@@ -197,8 +221,9 @@ namespace Catena
     EarlierSolutions<dim>              earlier_solutions;
     bool preconditioner_is_due = true, preconditioner_is_fresh = false;
     /// iterations for a decade of the residual; their excess over the best
-    double best_rate = 0., iterations_lost = 0.;
-    double wanted_residual = 0., decades = 0.;
+    double       best_rate = 0., iterations_lost = 0.;
+    double       wanted_residual = 0., decades = 0.;
+    unsigned int stalled_solves = 0;
 
     void
     set_configuration(const Configuration<dim> &configuration);

@@ -85,6 +85,27 @@ namespace Catena
           const std::vector<double>       &external_forces,
           const dealii::Function<dim>     *body_force = nullptr);
 
+    /// The velocity about which the equations were linearised of which the
+    /// preconditioner was made, and how.
+    struct LinearisationPoint
+    {
+      VectorType    velocity;
+      Linearisation form = Linearisation::picard;
+    };
+
+    const LinearisationPoint &
+    preconditioner_point() const
+    {
+      return point_of_preconditioner;
+    }
+
+    /// Was the preconditioner made anew in the last solve?
+    bool
+    has_new_preconditioner() const
+    {
+      return new_preconditioner;
+    }
+
   private:
     /// What does not change during a solve.
     struct Problem
@@ -108,7 +129,13 @@ namespace Catena
 
     VectorType                          linearisation_point;
     std::unique_ptr<CarreauStress<dim>> stress;
+    Linearisation                       form;
     double                              scale = 0.;
+    LinearisationPoint                  point_of_preconditioner;
+    bool                                new_preconditioner = false;
+
+    void
+    note_preconditioner();
 
     double
     target(const FlowResidual &residual) const;

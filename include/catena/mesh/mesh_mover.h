@@ -1,6 +1,7 @@
 #ifndef catena_mesh_mesh_mover_h
 #define catena_mesh_mesh_mover_h
 
+#include <catena/mesh/field_archive.h>
 #include <catena/mesh/moving_mesh.h>
 #include <catena/scene/configuration.h>
 
@@ -48,6 +49,17 @@ namespace Catena
      */
     VectorType
     positions(const Configuration<dim> &configuration) const;
+
+    /// The configuration the mesh was made for.
+    const Configuration<dim> &
+    reference_configuration() const
+    {
+      return reference;
+    }
+
+    /// Save or load the first guess of the next positions.
+    void
+    archive(FieldArchive<dim> &archive);
 
   private:
     const MovingMesh<dim>   &mesh;

@@ -1,12 +1,14 @@
 #ifndef catena_mesh_mesher_h
 #define catena_mesh_mesher_h
 
+#include <catena/base/archive.h>
 #include <catena/scene/scene.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <deal.II/grid/tria_description.h>
 
+#include <functional>
 #include <vector>
 
 namespace Catena
@@ -27,6 +29,8 @@ namespace Catena
     double maximal_size = 6.;
     /// smallest quality (radius ratio, 1 for the regular simplex) accepted
     double minimal_quality = 0.1;
+    /// for one attempt at a mesh [s]
+    double time_limit = 600.;
 
     /// Declare the entries in the current subsection.
     void
@@ -55,6 +59,11 @@ namespace Catena
 
     /// a mesh that took more attempts than this may differ the next time
     static constexpr unsigned int n_reproducible_attempts = 6;
+
+    /// Save or load vertices, cells and boundary.
+    /// @throws CheckpointError if what is loaded is no mesh
+    void
+    archive(Archive &archive);
   };
 
   /**
@@ -68,12 +77,21 @@ namespace Catena
    * by bit, except for that last resort (`attempts` above
    * `n_reproducible_attempts`).
    *
+   * Each attempt is made in a child process, which may crash or hang: it then
+   * counts as failed, after the time limit at the latest.
+   *
+   * @param before_attempt called in the child process with the number of the
+   * attempt, from 1: a test can let it fail there
+   *
    * @throws MeshError if no attempt gives an acceptable mesh, InputError if the
    * parameters make no sense.
    */
   template <int dim>
   MeshDescription<dim>
-  generate_mesh(const Scene<dim> &scene, const MeshParameters &parameters);
+  generate_mesh(
+    const Scene<dim>                              &scene,
+    const MeshParameters                          &parameters,
+    const std::function<void(const unsigned int)> &before_attempt = {});
 } // namespace Catena
 
 #endif

@@ -72,6 +72,10 @@ namespace Catena
       return reference_scene;
     }
 
+    /// The vertices, cells and boundary faces this mesh was made of.
+    MeshDescription<dim>
+    description() const;
+
     MPI_Comm
     communicator() const
     {
@@ -234,6 +238,16 @@ namespace Catena
       return node_ends[node];
     }
 
+    /**
+     * All P2 nodes in the order in which the cells of the description meet
+     * them: an order that does not depend on the number of ranks.
+     */
+    const std::vector<unsigned int> &
+    node_order() const
+    {
+      return ordered_nodes;
+    }
+
     /// Node positions as meshed.
     const VectorType &
     reference_positions() const
@@ -282,6 +296,7 @@ namespace Catena
     std::vector<unsigned int>  node_surfaces;
     std::vector<unsigned int>  vertex_nodes;
     std::vector<unsigned int>  node_vertices;
+    std::vector<unsigned int>  ordered_nodes;
 
     std::vector<std::array<unsigned int, 2>> node_ends;
     std::unique_ptr<NodeIdentification>      node_identification;

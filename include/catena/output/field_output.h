@@ -78,6 +78,13 @@ namespace Catena
           const double                   modulus);
 
     /**
+     * Go on after the files of an earlier run, as records() gave them. The
+     * list of files names these again and no others. Collective.
+     */
+    void
+    continue_after(const std::vector<std::pair<double, std::string>> &records);
+
+    /**
      * Strain and file name, relative to the directory, of all that has been
      * written.
      */

@@ -1,6 +1,8 @@
 #ifndef catena_output_run_report_h
 #define catena_output_run_report_h
 
+#include <catena/base/archive.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <istream>
@@ -117,6 +119,13 @@ namespace Catena
     template <typename T>
     void
     note(const std::string &name, const T &value);
+
+    /**
+     * Save or load steps and counters, but no times of parts: those are of one
+     * program.
+     */
+    void
+    archive(Archive &archive);
 
     /**
      * Print all of it as one table. Collective; process 0 prints.

@@ -1,8 +1,11 @@
 #ifndef catena_output_trajectory_table_h
 #define catena_output_trajectory_table_h
 
+#include <catena/base/archive.h>
+
 #include <deal.II/base/mpi.h>
 
+#include <cstdint>
 #include <fstream>
 #include <map>
 #include <string>
@@ -19,8 +22,8 @@ namespace Catena
    * strain,dt,theta [deg],distance 0-1 [a]
    * @endcode
    * Each row is handed to the operating system as soon as it is complete, so
-   * that a run that is killed loses no finished row. Values have ten
-   * significant digits unless told otherwise.
+   * that a run that is killed loses no finished row. A later run can go on
+   * after any row. Values have ten significant digits unless told otherwise.
    *
    * Process 0 of the communicator writes; the others may declare columns and
    * add values as well, and take part in opening the file and in write_row().
@@ -28,6 +31,20 @@ namespace Catena
   class TrajectoryTable
   {
   public:
+    /// The end of a row.
+    struct Position
+    {
+      std::uint64_t bytes = 0;
+      unsigned int  rows  = 0;
+
+      /// Save or load it.
+      void
+      archive(Archive &archive)
+      {
+        archive(bytes, rows);
+      }
+    };
+
     /**
      * Open @p path, replacing what it held, for values with @p n_digits
      * significant digits. Collective.
@@ -36,6 +53,18 @@ namespace Catena
      */
     TrajectoryTable(const std::string &path,
                     const MPI_Comm     communicator,
+                    const unsigned int n_digits = 10);
+
+    /**
+     * Go on with the table @p path after @p position; rows behind it are
+     * removed. Collective.
+     *
+     * @throws Error if there is no row that ends at this position, or the file
+     * cannot be opened.
+     */
+    TrajectoryTable(const std::string &path,
+                    const MPI_Comm     communicator,
+                    const Position    &position,
                     const unsigned int n_digits = 10);
 
     /**
@@ -65,6 +94,15 @@ namespace Catena
     write_row();
 
     /**
+     * Bring all rows to the disk, and tell where the last one ends.
+     * Collective.
+     *
+     * @throws Error if that is not possible.
+     */
+    Position
+    sync();
+
+    /**
      * Number of rows written.
      */
     unsigned int
@@ -85,6 +123,7 @@ namespace Catena
     std::vector<Column>                 columns;
     std::map<std::string, unsigned int> index_of;
     unsigned int                        rows_written = 0;
+    bool                                row_begun    = false;
 
     /**
      * Throw on all processes if process 0 found the file in a bad state.

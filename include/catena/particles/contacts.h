@@ -50,6 +50,13 @@ namespace Catena
      */
     std::vector<double>
     rate(const RigidBodies<dim> &bodies) const;
+
+    /// Save or load it.
+    void
+    archive(Archive &archive)
+    {
+      archive(i, j, direction, image, partner, meshed_share);
+    }
   };
 
 
@@ -105,6 +112,13 @@ namespace Catena
     std::vector<double>
     remembered_forces(const std::vector<Contact<dim>> &contacts) const;
 
+    /// Save or load the contacts that are held.
+    void
+    archive(Archive &archive)
+    {
+      archive(held);
+    }
+
     unsigned int
     n_held() const
     {
@@ -139,6 +153,12 @@ namespace Catena
     {
       Contact<dim> contact;
       double       force;
+
+      void
+      archive(Archive &archive)
+      {
+        archive(contact, force);
+      }
     };
 
     const Scene<dim>         scene;

@@ -1,6 +1,7 @@
 #ifndef catena_particles_rigid_bodies_h
 #define catena_particles_rigid_bodies_h
 
+#include <catena/base/archive.h>
 #include <catena/scene/scene.h>
 
 #include <deal.II/base/tensor.h>
@@ -23,6 +24,13 @@ namespace Catena
     /// Velocity of the surface point at @p arm from the centre.
     dealii::Tensor<1, dim>
     at(const dealii::Tensor<1, dim> &arm) const;
+
+    /// Save or load it.
+    void
+    archive(Archive &archive)
+    {
+      archive(velocity, angular_velocity);
+    }
   };
 
 

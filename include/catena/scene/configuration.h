@@ -1,6 +1,8 @@
 #ifndef catena_scene_configuration_h
 #define catena_scene_configuration_h
 
+#include <catena/base/archive.h>
+
 #include <deal.II/base/point.h>
 
 #include <cmath>
@@ -21,6 +23,13 @@ namespace Catena
     /// rate of the imposed shear [gamma]: -1 when it is reversed, 0 for walls
     /// at rest
     double shear_rate = 1.;
+
+    /// Save or load it.
+    void
+    archive(Archive &archive)
+    {
+      archive(centres, frame_angle, shear_rate);
+    }
   };
 
 

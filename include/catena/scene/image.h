@@ -1,6 +1,8 @@
 #ifndef catena_scene_image_h
 #define catena_scene_image_h
 
+#include <catena/base/archive.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
@@ -43,6 +45,13 @@ namespace Catena
     {
       p[0] -= shift;
       return dealii::Point<dim>(turn(p));
+    }
+
+    /// Save or load it.
+    void
+    archive(Archive &archive)
+    {
+      archive(turned, shift);
     }
   };
 } // namespace Catena

@@ -6,6 +6,8 @@
 #include <catena/flow/nonlinear_flow_solver.h>
 #include <catena/mesh/mesher.h>
 #include <catena/rheology/fluid_parameters.h>
+#include <catena/scene/scene.h>
+#include <catena/simulation/checkpoint.h>
 #include <catena/simulation/step_control.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -44,6 +46,8 @@ namespace Catena
     std::string         output_directory = "results";
     std::vector<double> field_strains;
 
+    CheckpointParameters checkpoint;
+
     /// Is there a conformation field?
     bool
     viscoelastic() const
@@ -57,6 +61,12 @@ namespace Catena
     /// @throws InputError
     void
     check() const;
+
+    /// Do they go together with @p scene?
+    /// @throws InputError
+    template <int dim>
+    void
+    check_scene(const Scene<dim> &scene) const;
 
   private:
     void

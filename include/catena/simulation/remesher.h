@@ -41,6 +41,8 @@ namespace Catena
      * Put the state on a new mesh for @p next. If another image of a particle
      * lies in the new block, the particle is represented by it from then on,
      * in the state and in @p next.
+     *
+     * @throws MeshError or SolverError; state and @p next are as before then
      */
     void
     remesh(State<dim> &state, Configuration<dim> &next) const;

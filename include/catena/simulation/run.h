@@ -8,23 +8,44 @@
 namespace Catena
 {
   /**
-   * Run a simulation to its final strain and record it in @p directory:
+   * Where the results of a run go, and how it begins.
+   */
+  struct RunOptions
+  {
+    std::string directory;
+    /// results of an earlier run may be replaced
+    bool overwrite = false;
+    /// go on from the last checkpoint in the directory
+    bool resume = false;
+  };
+
+
+
+  /**
+   * Run a simulation to its final strain and record it in a directory:
    *
    * - `trajectory.csv`, a row for the start and for every step,
    * - `fields.pvd` and what it refers to, at the strains asked for,
    * - `run_report.txt`, times by part, sizes and counts,
+   * - `checkpoint_0` and `checkpoint_1`, see Checkpoint,
    *
-   * with a progress line on the standard output.
+   * with a progress line on the standard output. A run that is resumed goes on
+   * with the tables of the one before, from the row of the checkpoint.
    *
-   * @throws Error if the run cannot go on; all rows so far are in the table.
+   * @param prepare called with the simulation before its first step, for
+   * tests
+   *
+   * @throws InputError if the run cannot begin like this
+   * @throws Interrupted after SIGTERM or SIGINT and a checkpoint
+   * @throws Error if the run cannot go on; all rows so far are in the table
    */
   template <int dim>
   void
-  run_simulation(const Scene<dim>           &scene,
-                 const SimulationParameters &parameters,
-                 const std::string          &directory,
-                 const bool                  overwrite,
-                 const MPI_Comm              communicator);
+  run_simulation(const Scene<dim>                             &scene,
+                 const SimulationParameters                   &parameters,
+                 const RunOptions                             &options,
+                 const MPI_Comm                                communicator,
+                 const std::function<void(Simulation<dim> &)> &prepare = {});
 } // namespace Catena
 
 #endif

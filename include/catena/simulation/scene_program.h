@@ -32,15 +32,18 @@ namespace Catena
       scene.declare(prm);
       simulation.declare(prm);
     };
-    program.check = [&]() {
+    program.can_resume = true;
+    program.check      = [&]() {
       scene.check();
       simulation.check();
+      simulation.check_scene(scene.template scene<3>());
     };
     program.run = [&](const ProgramOptions &options) {
       run_simulation(scene.template scene<3>(),
                      simulation,
-                     options.results_directory(simulation.output_directory),
-                     options.overwrite,
+                     {options.results_directory(simulation.output_directory),
+                      options.overwrite,
+                      options.resume},
                      MPI_COMM_WORLD);
     };
     return run_program(argc, argv, program);

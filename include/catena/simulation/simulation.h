@@ -1,8 +1,10 @@
 #ifndef catena_simulation_simulation_h
 #define catena_simulation_simulation_h
 
+#include <catena/base/exceptions.h>
 #include <catena/output/run_report.h>
 #include <catena/particles/contacts.h>
+#include <catena/simulation/flow_step.h>
 #include <catena/simulation/parameters.h>
 #include <catena/simulation/remesher.h>
 #include <catena/simulation/state.h>
@@ -10,6 +12,8 @@
 
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace Catena
 {
@@ -27,6 +31,21 @@ namespace Catena
     /// of the conformation after the step
     ConformationExtremes extremes;
     double               seconds = 0.;
+    /// what went wrong on the way, and what was done about it
+    std::vector<std::string> troubles;
+  };
+
+
+
+  /**
+   * The parts of a step that can fail.
+   */
+  enum class StepPart
+  {
+    mesh_motion,
+    mesh_generation,
+    flow,
+    conformation
   };
 
 
@@ -64,12 +83,38 @@ namespace Catena
     initialize();
 
     /**
-     * One time step. A step that fails or has too large an error is repeated
-     * with a shorter one.
-     * @throws SolverError if it fails with the shortest step, MeshError
+     * One time step. What can be done about a failure is tried in this order:
+     *
+     * - a linear solver stalls: again with a fresh preconditioner;
+     * - a new mesh is needed, and there is none: go on with the old one for a
+     *   while if it is still good enough;
+     * - a solver fails, a value is not finite or the error is too large, or
+     *   the old mesh is not good enough: again with half the step and a fresh
+     *   preconditioner.
+     *
+     * A mesh that is inverted at the end of a step is made anew from the last
+     * good instant. All of this is counted in the report.
+     *
+     * @throws SolverError if the shortest step fails; the state is still that
+     * before the step
      */
     StepReport
     advance();
+
+    /**
+     * Called in every part of a step that can fail, before what it gives is
+     * used: after the positions of the nodes have been found, before a mesh is
+     * made, after the flow and after the conformation have been found. For
+     * tests, which can throw SolverError and MeshError there and damage the
+     * level.
+     */
+    using FailureInjection = std::function<void(const StepPart, Level<dim> &)>;
+
+    void
+    inject_failures(const FailureInjection &injection)
+    {
+      failure_injection = injection;
+    }
 
     /// Make a new mesh in the next step in any case.
     void
@@ -128,6 +173,17 @@ namespace Catena
       return run_report;
     }
 
+    /**
+     * Save everything the next step depends on, or load it in place of
+     * initialize(). On the same number of ranks the steps are then the same
+     * as without, to rounding; on another one, to the tolerances of the
+     * solvers. Collective; what rank 0 saves is what all ranks load.
+     *
+     * @throws CheckpointError if what is loaded is not of this simulation
+     */
+    void
+    archive(Archive &archive);
+
     bool
     held_in_place() const
     {
@@ -140,16 +196,16 @@ namespace Catena
     const MPI_Comm             communicator;
     const Remesher<dim>        remesher;
 
-    RigidBodies<dim>                          bodies;
-    Contacts<dim>                             contacts;
-    FlowSolver<dim>                           flow_solver;
-    std::unique_ptr<NonlinearFlowSolver<dim>> nonlinear_solver;
-    std::unique_ptr<ConformationSolver<dim>>  conformation_solver;
-    StepControl                               step_control;
-    State<dim>                                state;
-    RunReport                                 run_report;
-    bool                                      held             = false;
-    bool                                      remesh_requested = false;
+    RunReport                                run_report;
+    RigidBodies<dim>                         bodies;
+    Contacts<dim>                            contacts;
+    FlowStep<dim>                            flow_step;
+    std::unique_ptr<ConformationSolver<dim>> conformation_solver;
+    StepControl                              step_control;
+    State<dim>                               state;
+    FailureInjection                         failure_injection;
+    bool                                     held             = false;
+    bool                                     remesh_requested = false;
 
     /// Is there a particle to be held while a viscoelastic stress builds up?
     bool
@@ -164,14 +220,6 @@ namespace Catena
     bool
     try_step(Level<dim> &next, StepReport &report);
 
-    bool
-    contacts_changed(const Level<dim> &next) const;
-
-    double
-    step_error(const Level<dim>              &next,
-               const std::vector<VectorType> &predicted,
-               const TimeStep                &step) const;
-
     double
     shear_rate() const;
 
@@ -181,14 +229,29 @@ namespace Catena
     Configuration<dim>
     moved_particles(const TimeStep &step);
 
-    bool
-    move_mesh(Level<dim> &next);
+    void
+    take_step(const TimeStep &step, Level<dim> &next, StepReport &report);
+
+    void
+    shorten_step(const TimeStep    &step,
+                 const std::string &cause,
+                 const Error       &error,
+                 StepReport        &report);
+
+    void
+    move_mesh(Level<dim> &next, StepReport &report);
+
+    void
+    change_mesh(Level<dim> &next, StepReport &report);
+
+    void
+    count_attempts();
+
+    void
+    inject(const StepPart part, Level<dim> &next);
 
     VectorType
     mesh_velocity(const Level<dim> &next, const TimeStep &step) const;
-
-    VectorType
-    old_mesh_velocity(const Level<dim> &next, const TimeStep &step) const;
 
     FlowFields<dim>
     extrapolated_flow(const TimeStep &step) const;
@@ -197,9 +260,6 @@ namespace Catena
     solve_flow(Level<dim>       &next,
                const TimeStep   &step,
                const VectorType &mesh_velocity);
-
-    void
-    find_reactions(Level<dim> &level, const StressModel<dim> &stress) const;
 
     std::vector<VectorType>
     extrapolated_log_conformation(const TimeStep &step) const;

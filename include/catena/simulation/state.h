@@ -3,6 +3,7 @@
 
 #include <catena/base/types.h>
 #include <catena/flow/flow_solver.h>
+#include <catena/mesh/field_archive.h>
 #include <catena/mesh/mesh_mover.h>
 #include <catena/mesh/moving_mesh.h>
 #include <catena/scene/configuration.h>
@@ -22,6 +23,18 @@ namespace Catena
     std::unique_ptr<MeshMover<dim>>  mover;
     /// quality of the mesh when it was made
     double initial_quality = 0.;
+    /// how many it took to make it, see MeshDescription
+    unsigned int attempts = 1;
+
+    /**
+     * Save or load it: the mesh as vertices and cells, the planes that bound
+     * it, the places of the particles it was made for.
+     * @param scene the scene at the start
+     */
+    void
+    archive(Archive          &archive,
+            const Scene<dim> &scene,
+            const MPI_Comm    communicator);
   };
 
 
@@ -39,6 +52,10 @@ namespace Catena
     FlowFields<dim>    flow;
     /// components of log(c) in deal.II's order; empty for a Newtonian fluid
     std::vector<VectorType> log_conformation;
+
+    /// Save or load it.
+    void
+    archive(FieldArchive<dim> &archive);
   };
 
 
@@ -55,6 +72,12 @@ namespace Catena
     double last_dt = 0.;
     /// force that holds each particle, by rigid-body unknown, before its ramp
     std::vector<double> holding_forces;
+
+    /// Save or load it, as Discretization::archive() does.
+    void
+    archive(Archive          &archive,
+            const Scene<dim> &scene,
+            const MPI_Comm    communicator);
   };
 } // namespace Catena
 

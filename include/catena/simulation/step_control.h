@@ -1,6 +1,8 @@
 #ifndef catena_simulation_step_control_h
 #define catena_simulation_step_control_h
 
+#include <catena/base/archive.h>
+
 #include <deal.II/base/parameter_handler.h>
 
 namespace Catena
@@ -67,6 +69,13 @@ namespace Catena
     /// Start afresh with the first step, where the flow changes abruptly.
     void
     restart();
+
+    /// Save or load what the next step depends on.
+    void
+    archive(Archive &archive)
+    {
+      archive(wanted, may_grow);
+    }
 
   private:
     const StepControlParameters parameters;

@@ -20,6 +20,19 @@ namespace Catena
                const Simulation<dim> &simulation,
                const MPI_Comm         communicator);
 
+    /// Go on after the row that ends at @p position.
+    Trajectory(const std::string               &path,
+               const Simulation<dim>           &simulation,
+               const MPI_Comm                   communicator,
+               const TrajectoryTable::Position &position);
+
+    /// Bring all rows to the disk, and tell where the last one ends.
+    TrajectoryTable::Position
+    sync()
+    {
+      return table.sync();
+    }
+
     /// Write the row of the present instant; @p step led to it.
     void
     record(const StepReport &step);

@@ -1,0 +1,147 @@
+#ifndef catena_simulation_flow_step_h
+#define catena_simulation_flow_step_h
+
+#include <catena/flow/flow_solver.h>
+#include <catena/flow/nonlinear_flow_solver.h>
+#include <catena/output/run_report.h>
+#include <catena/particles/contacts.h>
+#include <catena/simulation/parameters.h>
+#include <catena/simulation/state.h>
+
+#include <memory>
+#include <vector>
+
+namespace Catena
+{
+  /**
+   * The part of a time step in which the flow at its end is solved for: chooses
+   * the stress of the fluid, solves, keeps the forces of the contacts.
+   */
+  template <int dim>
+  class FlowStep
+  {
+  public:
+    /// Both are kept by reference.
+    FlowStep(const SimulationParameters &parameters, RunReport &run_report);
+
+    /// A new mesh, or other particles held in place. References are kept.
+    void
+    reinit(MovingMesh<dim>          &mesh,
+           const RigidBodies<dim>   &bodies,
+           const Configuration<dim> &configuration,
+           const bool                held_in_place);
+
+    /**
+     * Solve for the flow of @p next, with that as first guess.
+     *
+     * @param now, before the levels from which the stress is predicted
+     * @param contacts hold their last forces, on return those of @p next
+     * @return number of linear iterations
+     * @throws SolverError
+     */
+    unsigned int
+    solve(Level<dim>                &next,
+          const TimeStep            &step,
+          const Level<dim>          &now,
+          const Level<dim>          &before,
+          const VectorType          &mesh_velocity,
+          const std::vector<double> &external_forces,
+          Contacts<dim>             &contacts);
+
+    /// Make a new preconditioner in the next solve.
+    void
+    renew_preconditioner()
+    {
+      flow_solver.renew_preconditioner();
+    }
+
+    dealii::types::global_dof_index
+    n_unknowns() const
+    {
+      return flow_solver.n_unknowns();
+    }
+
+    /**
+     * Save or load what makes the next solve depend on those before: the
+     * earlier solutions, and what the preconditioner was made of. After
+     * loading, the mesh is at the positions of that instant.
+     */
+    void
+    archive(FieldArchive<dim> &archive);
+
+  private:
+    /// What the stress of an instant depends on, and where it was.
+    struct Instant
+    {
+      Configuration<dim>      configuration;
+      VectorType              positions;
+      TimeStep                step;
+      std::vector<VectorType> log_conformation, old_log_conformation;
+      /// that about which the stress of a Carreau fluid is linearised
+      VectorType    velocity;
+      Linearisation linearisation = Linearisation::picard;
+
+      void
+      archive(FieldArchive<dim> &archive);
+    };
+
+    const SimulationParameters               &parameters;
+    RunReport                                &run_report;
+    MovingMesh<dim>                          *mesh   = nullptr;
+    const RigidBodies<dim>                   *bodies = nullptr;
+    FlowSolver<dim>                           flow_solver;
+    std::unique_ptr<NonlinearFlowSolver<dim>> nonlinear_solver;
+
+    /// Of this one the preconditioner was made.
+    Instant preconditioner_instant;
+
+    /// Motion of the fluid on which the stress of a viscoelastic fluid depends,
+    /// see StressPrediction.
+    struct Motion
+    {
+      VectorType              convection, velocity, old_convection;
+      std::vector<VectorType> smooth_strain_rate;
+    };
+
+    Motion
+    motion(const Level<dim> &next,
+           const TimeStep   &step,
+           const Level<dim> &now,
+           const Level<dim> &before,
+           const VectorType &mesh_velocity) const;
+
+    std::unique_ptr<StressModel<dim>>
+    viscoelastic_stress(const TimeStep                &step,
+                        const std::vector<VectorType> &log_conformation,
+                        const std::vector<VectorType> &old_log_conformation,
+                        const Motion                  &motion) const;
+
+    /// Does the stress of a step have a part with the smooth rate of strain?
+    bool
+    has_numerical_viscosity(const TimeStep &step) const;
+
+    /// The stress of which the last preconditioner was made, as far as it
+    /// depends on the flow.
+    void
+    assemble_preconditioner();
+
+    unsigned int
+    solve_nonlinear(Level<dim>                      &next,
+                    const std::vector<Contact<dim>> &candidates,
+                    const std::vector<double>       &external_forces);
+
+    unsigned int
+    solve_linear(Level<dim>                      &next,
+                 const TimeStep                  &step,
+                 const Level<dim>                &now,
+                 const Level<dim>                &before,
+                 const VectorType                &mesh_velocity,
+                 const std::vector<Contact<dim>> &candidates,
+                 const std::vector<double>       &external_forces);
+
+    void
+    find_reactions(Level<dim> &level, const StressModel<dim> &stress) const;
+  };
+} // namespace Catena
+
+#endif

@@ -1,0 +1,33 @@
+#ifndef catena_simulation_step_error_h
+#define catena_simulation_step_error_h
+
+#include <catena/base/time_history.h>
+#include <catena/simulation/state.h>
+
+#include <vector>
+
+namespace Catena
+{
+  /**
+   * The larger one of two local errors of the step from @p state to @p next:
+   * that of the positions, by the difference of Adams-Bashforth and trapezoidal
+   * rule, and what the extrapolation of the log-conformation misses, times the
+   * step. The velocities jump where a contact opens or closes; there the gap
+   * is exact.
+   *
+   * @param predicted the extrapolated log-conformation
+   * @param held the particles are held in place
+   *
+   * @throws SolverError if the conformation changes too fast to be followed, or
+   * a value is not finite
+   */
+  template <int dim>
+  double
+  step_error(const State<dim>              &state,
+             const Level<dim>              &next,
+             const std::vector<VectorType> &predicted,
+             const TimeStep                &step,
+             const bool                     held);
+} // namespace Catena
+
+#endif

@@ -1,0 +1,65 @@
+#include <catena/base/archive.h>
+
+#include <cstdint>
+#include <cstring>
+
+namespace Catena
+{
+  void
+  Archive::raw(void *data, const std::size_t size)
+  {
+    if (size == 0)
+      return;
+    if (!loading)
+      {
+        content.append(static_cast<const char *>(data), size);
+        return;
+      }
+    if (size > content.size() - position)
+      throw CheckpointError("it ends too early");
+    std::memcpy(data, content.data() + position, size);
+    position += size;
+  }
+
+
+
+  std::size_t
+  Archive::length(const std::size_t present, const std::size_t smallest_entry)
+  {
+    std::uint64_t n = present;
+    raw(&n, sizeof(n));
+    if (loading && n > (content.size() - position) / smallest_entry)
+      throw CheckpointError("it ends too early");
+    return n;
+  }
+
+
+
+  void
+  Archive::value(bool &x)
+  {
+    std::uint8_t byte = x ? 1 : 0;
+    raw(&byte, 1);
+    if (byte > 1)
+      throw CheckpointError("it has a truth value of " + std::to_string(byte));
+    x = byte == 1;
+  }
+
+
+
+  void
+  Archive::value(std::string &x)
+  {
+    x.resize(length(x.size(), 1));
+    raw(x.data(), x.size());
+  }
+
+
+
+  void
+  Archive::finish() const
+  {
+    if (loading && position != content.size())
+      throw CheckpointError("it has more than is known of");
+  }
+} // namespace Catena

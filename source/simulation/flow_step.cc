@@ -1,0 +1,311 @@
+#include <catena/conformation/strain_rate_projection.h>
+#include <catena/flow/carreau_stress.h>
+#include <catena/flow/particle_forces.h>
+#include <catena/flow/stress_prediction.h>
+#include <catena/simulation/flow_step.h>
+
+namespace Catena
+{
+  using namespace dealii;
+
+  template <int dim>
+  FlowStep<dim>::FlowStep(const SimulationParameters &parameters,
+                          RunReport                  &run_report)
+    : parameters(parameters)
+    , run_report(run_report)
+    , flow_solver(parameters.flow_solver)
+  {
+    if (parameters.fluid.model == FluidParameters::Model::carreau)
+      nonlinear_solver =
+        std::make_unique<NonlinearFlowSolver<dim>>(flow_solver,
+                                                   Carreau(
+                                                     parameters.fluid.carreau),
+                                                   parameters.nonlinear_solver);
+  }
+
+
+
+  template <int dim>
+  void
+  FlowStep<dim>::reinit(MovingMesh<dim>          &new_mesh,
+                        const RigidBodies<dim>   &new_bodies,
+                        const Configuration<dim> &configuration,
+                        const bool                held_in_place)
+  {
+    mesh   = &new_mesh;
+    bodies = &new_bodies;
+    flow_solver.reinit(*mesh, *bodies, configuration, held_in_place);
+  }
+
+
+
+  namespace
+  {
+    /// Velocity of the nodes at the present instant, by the central difference.
+    template <int dim>
+    VectorType
+    present_mesh_velocity(const TimeStep   &step,
+                          const Level<dim> &next,
+                          const Level<dim> &now,
+                          const Level<dim> &before)
+    {
+      const double w = step.ratio(), ahead = 1. / (step.dt * (1. + w)),
+                   behind = w / (step.previous_dt * (1. + w));
+      VectorType result   = next.positions;
+      result.sadd(ahead, behind - ahead, now.positions);
+      result.add(-behind, before.positions);
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  bool
+  FlowStep<dim>::has_numerical_viscosity(const TimeStep &step) const
+  {
+    return step.has_previous() &&
+           StressPrediction<dim>::numerical_viscosity(
+             Giesekus<dim>(parameters.fluid.giesekus)) > 0.;
+  }
+
+
+
+  template <int dim>
+  typename FlowStep<dim>::Motion
+  FlowStep<dim>::motion(const Level<dim> &next,
+                        const TimeStep   &step,
+                        const Level<dim> &now,
+                        const Level<dim> &before,
+                        const VectorType &mesh_velocity) const
+  {
+    Motion result;
+    if (!parameters.viscoelastic())
+      return result;
+    result.convection = next.flow.velocity;
+    result.convection -= mesh_velocity;
+    result.convection.update_ghost_values();
+    if (step.has_previous())
+      {
+        result.velocity       = now.flow.velocity;
+        result.old_convection = now.flow.velocity;
+        result.old_convection -= present_mesh_velocity(step, next, now, before);
+        result.old_convection.update_ghost_values();
+        result.velocity.update_ghost_values();
+      }
+    if (has_numerical_viscosity(step))
+      result.smooth_strain_rate =
+        StrainRateProjection<dim>(*mesh).project(now.flow.velocity);
+    return result;
+  }
+
+
+
+  /**
+   * References to all but the step are kept.
+   */
+  template <int dim>
+  std::unique_ptr<StressModel<dim>>
+  FlowStep<dim>::viscoelastic_stress(
+    const TimeStep                &step,
+    const std::vector<VectorType> &log_conformation,
+    const std::vector<VectorType> &old_log_conformation,
+    const Motion                  &motion) const
+  {
+    return std::make_unique<StressPrediction<dim>>(
+      Giesekus<dim>(parameters.fluid.giesekus),
+      step,
+      log_conformation,
+      old_log_conformation.empty() ? log_conformation : old_log_conformation,
+      motion.convection,
+      motion.velocity,
+      motion.old_convection,
+      motion.smooth_strain_rate);
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  FlowStep<dim>::solve(Level<dim>                &next,
+                       const TimeStep            &step,
+                       const Level<dim>          &now,
+                       const Level<dim>          &before,
+                       const VectorType          &mesh_velocity,
+                       const std::vector<double> &external_forces,
+                       Contacts<dim>             &contacts)
+  {
+    const auto         candidates = contacts.candidates(next.configuration);
+    const unsigned int n_stalled  = flow_solver.n_stalled_solves();
+    next.flow.contact_forces      = contacts.remembered_forces(candidates);
+    const unsigned int iterations =
+      nonlinear_solver ?
+        solve_nonlinear(next, candidates, external_forces) :
+        solve_linear(
+          next, step, now, before, mesh_velocity, candidates, external_forces);
+    contacts.remember(candidates, next.flow.contact_forces);
+    if (flow_solver.n_stalled_solves() > n_stalled)
+      run_report.count("solves repeated with a fresh preconditioner",
+                       flow_solver.n_stalled_solves() - n_stalled);
+    return iterations;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  FlowStep<dim>::solve_nonlinear(Level<dim>                      &next,
+                                 const std::vector<Contact<dim>> &candidates,
+                                 const std::vector<double> &external_forces)
+  {
+    const auto timer  = run_report.time("flow: solve");
+    const auto report = nonlinear_solver->solve(next.configuration,
+                                                next.flow,
+                                                candidates,
+                                                external_forces);
+    run_report.count("nonlinear steps of the flow",
+                     report.picard_steps + report.newton_steps);
+    if (nonlinear_solver->has_new_preconditioner())
+      {
+        const auto &point      = nonlinear_solver->preconditioner_point();
+        preconditioner_instant = Instant();
+        preconditioner_instant.configuration = next.configuration;
+        preconditioner_instant.positions     = mesh->positions();
+        preconditioner_instant.velocity      = point.velocity;
+        preconditioner_instant.linearisation = point.form;
+      }
+    find_reactions(next,
+                   CarreauStress<dim>(Carreau(parameters.fluid.carreau),
+                                      next.flow.velocity,
+                                      Linearisation::picard));
+    return report.linear_iterations;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  FlowStep<dim>::solve_linear(Level<dim>                      &next,
+                              const TimeStep                  &step,
+                              const Level<dim>                &now,
+                              const Level<dim>                &before,
+                              const VectorType                &mesh_velocity,
+                              const std::vector<Contact<dim>> &candidates,
+                              const std::vector<double>       &external_forces)
+  {
+    const Motion motion = this->motion(next, step, now, before, mesh_velocity);
+    std::unique_ptr<StressModel<dim>> model;
+    if (parameters.viscoelastic())
+      model = viscoelastic_stress(step,
+                                  now.log_conformation,
+                                  before.log_conformation,
+                                  motion);
+    else
+      model = std::make_unique<NewtonianStress<dim>>();
+    {
+      const auto timer = run_report.time("flow: assembly");
+      flow_solver.assemble(next.configuration, *model);
+    }
+    const auto         timer = run_report.time("flow: solve");
+    const unsigned int iterations =
+      flow_solver.solve(next.flow, candidates, external_forces);
+    if (flow_solver.has_fresh_preconditioner())
+      preconditioner_instant = {next.configuration,
+                                mesh->positions(),
+                                step,
+                                now.log_conformation,
+                                before.log_conformation,
+                                VectorType()};
+    find_reactions(next, *model);
+    return iterations;
+  }
+
+
+
+  /// What holds the particles, if any is held.
+  template <int dim>
+  void
+  FlowStep<dim>::find_reactions(Level<dim>             &level,
+                                const StressModel<dim> &stress) const
+  {
+    if (bodies->any_held())
+      level.flow.reactions = particle_forces<dim>(
+        *mesh, *bodies, level.configuration, stress, level.flow);
+  }
+
+
+
+  template <int dim>
+  void
+  FlowStep<dim>::Instant::archive(FieldArchive<dim> &archive)
+  {
+    archive(configuration, step.dt, step.previous_dt, linearisation);
+    archive.vector(positions);
+    archive.scalars(log_conformation);
+    archive.scalars(old_log_conformation);
+    archive.vector(velocity);
+  }
+
+
+
+  template <int dim>
+  void
+  FlowStep<dim>::assemble_preconditioner()
+  {
+    const Instant &instant = preconditioner_instant;
+    mesh->set_positions(instant.positions);
+    flow_solver.renew_preconditioner();
+
+    // it depends on the viscosity, which knows of no motion
+    Motion rest{mesh->vector_field(),
+                mesh->vector_field(),
+                mesh->vector_field(),
+                {}};
+    if (parameters.viscoelastic() && has_numerical_viscosity(instant.step))
+      rest.smooth_strain_rate =
+        std::vector<VectorType>(n_symmetric_components(dim));
+    for (VectorType &component : rest.smooth_strain_rate)
+      component = mesh->scalar_field();
+
+    std::unique_ptr<StressModel<dim>> model;
+    switch (parameters.fluid.model)
+      {
+        case FluidParameters::Model::giesekus:
+          model = viscoelastic_stress(instant.step,
+                                      instant.log_conformation,
+                                      instant.old_log_conformation,
+                                      rest);
+          break;
+        case FluidParameters::Model::carreau:
+          model =
+            std::make_unique<CarreauStress<dim>>(Carreau(
+                                                   parameters.fluid.carreau),
+                                                 instant.velocity,
+                                                 instant.linearisation);
+          break;
+        default:
+          model = std::make_unique<NewtonianStress<dim>>();
+      }
+    flow_solver.assemble(instant.configuration, *model);
+  }
+
+
+
+  template <int dim>
+  void
+  FlowStep<dim>::archive(FieldArchive<dim> &archive)
+  {
+    Instant &instant = preconditioner_instant;
+    if (archive.is_loading())
+      instant = Instant();
+    instant.archive(archive);
+    if (archive.is_loading() && instant.positions.size() > 0)
+      assemble_preconditioner();
+    flow_solver.archive(archive);
+  }
+
+
+
+  template class FlowStep<2>;
+  template class FlowStep<3>;
+} // namespace Catena

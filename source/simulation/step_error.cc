@@ -1,0 +1,155 @@
+#include <catena/base/exceptions.h>
+#include <catena/conformation/conformation_change.h>
+#include <catena/simulation/step_error.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace Catena
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// A log-conformation off its extrapolation by more is not followed: the
+    /// stress is predicted with that extrapolation.
+    constexpr double largest_change = 1.;
+
+
+
+    template <int dim>
+    unsigned int
+    n_repelling(const Level<dim> &level)
+    {
+      const std::vector<double> &forces = level.flow.contact_forces;
+      return std::count_if(forces.begin(),
+                           forces.end(),
+                           [](const double force) { return force > 0.; });
+    }
+
+
+
+    /// Has a contact opened or closed in this step or in the last one?
+    template <int dim>
+    bool
+    contacts_changed(const State<dim> &state, const Level<dim> &next)
+    {
+      return n_repelling(next) != n_repelling(state.now) ||
+             n_repelling(state.now) != n_repelling(state.before);
+    }
+
+
+
+    /// Where the two differ most, or are not finite.
+    template <int dim>
+    Point<dim>
+    place_of_largest_change(const MovingMesh<dim>         &mesh,
+                            const std::vector<VectorType> &s,
+                            const std::vector<VectorType> &s_hat)
+    {
+      double       largest = -1.;
+      unsigned int vertex  = 0;
+      for (const auto i : mesh.owned_scalars())
+        {
+          double change = 0.;
+          for (unsigned int k = 0; k < s.size(); ++k)
+            change = std::max(change, std::abs(s[k](i) - s_hat[k](i)));
+          for (unsigned int k = 0; k < s.size(); ++k)
+            if (!std::isfinite(s[k](i)))
+              change = std::numeric_limits<double>::max();
+          if (change > largest)
+            {
+              largest = change;
+              vertex  = i;
+            }
+        }
+      Point<dim> place;
+      if (largest >= 0.)
+        for (unsigned int d = 0; d < dim; ++d)
+          place[d] = mesh.positions()(dim * mesh.node_of_vertex(vertex) + d);
+      const auto owner =
+        Utilities::MPI::min_max_avg(largest, mesh.communicator()).max_index;
+      return Utilities::MPI::broadcast(mesh.communicator(), place, owner);
+    }
+
+
+
+    template <int dim>
+    double
+    error_of_positions(const State<dim> &state,
+                       const Level<dim> &next,
+                       const TimeStep   &step)
+    {
+      const TwoLevelWeights weights = step.adams_bashforth();
+      // errors (2 dt + 3 dt') and -dt, times dt^2/12 and the third derivative
+      const double share = (2. * step.dt + 3. * step.previous_dt) /
+                           (3. * (step.dt + step.previous_dt));
+      double largest = 0.;
+      for (unsigned int i = 0; i < next.flow.motions.size(); ++i)
+        {
+          const Tensor<1, dim> &now = state.now.flow.motions[i].velocity;
+          Tensor<1, dim>        difference =
+            weights.b0 * now - (now + next.flow.motions[i].velocity) / 2.;
+          if (weights.b1 != 0.)
+            difference += weights.b1 * state.before.flow.motions[i].velocity;
+          largest = std::max(largest, share * difference.norm());
+        }
+      return largest;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  double
+  step_error(const State<dim>              &state,
+             const Level<dim>              &next,
+             const std::vector<VectorType> &predicted,
+             const TimeStep                &step,
+             const bool                     held)
+  {
+    const double       positions = held || contacts_changed(state, next) ?
+                                     0. :
+                                     error_of_positions(state, next, step);
+    ConformationChange change;
+    if (!next.log_conformation.empty())
+      change = conformation_change<dim>(*state.discretization.mesh,
+                                        next.log_conformation,
+                                        predicted);
+    if (!std::isfinite(next.flow.velocity.l2_norm()) ||
+        !std::isfinite(next.flow.pressure.l2_norm()))
+      throw SolverError("The flow has values that are not finite: use a "
+                        "smaller 'Time/Time step' or a finer mesh.");
+    if (!(change.largest <= largest_change) || !std::isfinite(change.mean))
+      {
+        std::ostringstream text;
+        text << "The log-conformation is off its extrapolation by "
+             << change.largest << " near the point "
+             << place_of_largest_change<dim>(*state.discretization.mesh,
+                                             next.log_conformation,
+                                             predicted)
+             << ": use a smaller 'Time/Time step' or a finer mesh.";
+        throw SolverError(text.str());
+      }
+    return step.dt * std::max(positions, change.mean);
+  }
+
+
+
+  template double
+  step_error<2>(const State<2> &,
+                const Level<2> &,
+                const std::vector<VectorType> &,
+                const TimeStep &,
+                const bool);
+  template double
+  step_error<3>(const State<3> &,
+                const Level<3> &,
+                const std::vector<VectorType> &,
+                const TimeStep &,
+                const bool);
+} // namespace Catena
