@@ -32,8 +32,9 @@ namespace Catena
                         const Configuration<dim> &configuration,
                         const bool                held_in_place)
   {
-    mesh   = &new_mesh;
-    bodies = &new_bodies;
+    mesh                   = &new_mesh;
+    bodies                 = &new_bodies;
+    preconditioner_instant = Instant();
     flow_solver.reinit(*mesh, *bodies, configuration, held_in_place);
   }
 

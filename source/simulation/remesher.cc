@@ -319,6 +319,10 @@ namespace Catena
     fresh.before         = state.before;
     fresh.last_dt        = state.last_dt;
     fresh.holding_forces = state.holding_forces;
+    // lists of vectors are copied without ghost values
+    for (Level<dim> *level : {&fresh.now, &fresh.before})
+      for (VectorType &component : level->log_conformation)
+        component.update_ghost_values();
 
     choose_images(scene_at(fresh_next), fresh, fresh_next);
     fresh.discretization                   = make(fresh_next);

@@ -64,6 +64,10 @@ namespace
         throw std::string("gmsh does\nthis");
       if (size == 4.)
         throw SolverError("did not converge");
+      if (size == 5.)
+        throw Interrupted(15, "Stopped by SIGTERM");
+      if (size == 6.)
+        throw CheckpointError("The checkpoint is damaged");
       std::cout << "ran into '" << options.output_directory << "'"
                 << (options.overwrite ? " again" : "") << std::endl;
     };
@@ -182,6 +186,9 @@ main(int argc, char **argv)
   fails(verdicts, "exception of deal.II", file_with("2"), 1, "two lines (line");
   fails(verdicts, "exception of gmsh", file_with("3"), 1, "gmsh does this");
   fails(verdicts, "exception of Catena", file_with("4"), 1, "not converge");
+  fails(verdicts, "end by a signal", file_with("5"), 143, "Stopped by");
+  fails(verdicts, "bad checkpoint", file_with("6"), 2, "is damaged");
+  fails(verdicts, "--resume without", {file_name, "--resume"}, 2, "--resume");
 
   for (const char *name : {"prm", "out", "err"})
     std::remove((std::string("program_ends.") + name).c_str());

@@ -216,6 +216,36 @@ namespace
 
 
 
+  /// With fewer iterations than the longest solve takes.
+  void
+  test_stall(Tests::Claims &claims)
+  {
+    auto       parameters = parameters_of_run();
+    const auto run        = [&](unsigned int &most_iterations) {
+      Simulation<2> simulation(close_discs(), parameters, MPI_COMM_WORLD);
+      simulation.initialize();
+      most_iterations = 0;
+      while (simulation.strain() < parameters.final_strain - 1e-9)
+        most_iterations =
+          std::max(most_iterations, simulation.advance().flow_iterations);
+      claims.near("the solver's run ends",
+                  simulation.strain(),
+                  parameters.final_strain,
+                  1e-9);
+      return simulation.report().counter(
+               "solves repeated with a fresh preconditioner") +
+             simulation.report().counter(failed_solver);
+    };
+    unsigned int most = 0;
+    claims.near("usually no solve stalls", run(most), 0., 0.);
+    parameters.flow_solver.max_iterations = most - 1;
+    claims.at_least("a solve that stalls is repeated, or its step",
+                    run(most),
+                    1.);
+  }
+
+
+
   /// Rows of a table that are complete.
   unsigned int
   n_rows(const std::string &path)
@@ -276,7 +306,9 @@ namespace
             failure.part == StepPart::mesh_generation)
           continue;
         const std::string folder = "run_" + std::to_string(number++);
-        std::filesystem::remove_all(folder);
+        if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+          std::filesystem::remove_all(folder);
+        MPI_Barrier(MPI_COMM_WORLD);
         const std::string message = end_of_run(&failure, folder, false);
         claims.holds(failure.name + " for good: the message names strain and "
                                     "checkpoint",
@@ -301,6 +333,7 @@ main(int argc, char **argv)
 {
   return Tests::run(argc, argv, [](Tests::Claims &claims) {
     test_recovery(claims);
+    test_stall(claims);
     test_end(claims);
   });
 }
