@@ -192,7 +192,7 @@ namespace
   {
     Timer timer;
     part();
-    return timer.wall_time();
+    return timer.cpu_time();
   }
 
 
