@@ -1,0 +1,136 @@
+#ifndef catena_benchmarks_recorded_steps_h
+#define catena_benchmarks_recorded_steps_h
+
+#include <catena/flow/flow_solver.h>
+#include <catena/flow/stress_prediction.h>
+#include <catena/simulation/simulation.h>
+
+#include <deque>
+#include <vector>
+
+/**
+ * What the flow of a time step was solved from, and the motions it gave. Gaps
+ * that were held are not; what held them acts from outside.
+ */
+struct RecordedStep
+{
+  Catena::Configuration<3>            configuration;
+  Catena::TimeStep                    step;
+  Catena::VectorType                  positions, convection;
+  std::vector<Catena::VectorType>     old, older;
+  Catena::FlowFields<3>               first_guess;
+  std::vector<double>                 forces;
+  std::vector<Catena::RigidMotion<3>> motions;
+
+  Catena::StressPrediction<3>
+  stress(const Catena::GiesekusParameters &fluid) const
+  {
+    return Catena::StressPrediction<3>(
+      Catena::Giesekus<3>(fluid), step, old, older, convection);
+  }
+};
+
+
+
+inline Catena::VectorType
+combination(const double              a,
+            const Catena::VectorType &x,
+            const double              b,
+            const Catena::VectorType &y)
+{
+  Catena::VectorType result = x;
+  result.sadd(a, b, y);
+  result.update_ghost_values();
+  return result;
+}
+
+
+
+/**
+ * The step to the present state of @p simulation.
+ * @param older the level two steps ago
+ */
+inline RecordedStep
+record(const Catena::Simulation<3> &simulation,
+       const Catena::Level<3>      &older,
+       const Catena::TimeStep      &step)
+{
+  const Catena::Level<3> &now = simulation.current_state().now,
+                         &old = simulation.current_state().before;
+  RecordedStep result;
+  result.configuration = now.configuration;
+  result.step          = step;
+  result.positions     = now.positions;
+  result.old           = old.log_conformation;
+  result.older         = older.log_conformation;
+  result.motions       = now.flow.motions;
+
+  const auto w       = step.extrapolation();
+  result.first_guess = old.flow;
+  result.first_guess.velocity =
+    combination(w.b0, old.flow.velocity, w.b1, older.flow.velocity);
+  result.first_guess.pressure =
+    combination(w.b0, old.flow.pressure, w.b1, older.flow.pressure);
+  for (unsigned int i = 0; i < result.motions.size(); ++i)
+    {
+      auto       &guess  = result.first_guess.motions[i];
+      const auto &before = older.flow.motions[i];
+      guess.velocity     = w.b0 * guess.velocity + w.b1 * before.velocity;
+      guess.angular_velocity =
+        w.b0 * guess.angular_velocity + w.b1 * before.angular_velocity;
+    }
+  result.first_guess.contact_forces.clear();
+
+  const auto bdf    = step.bdf();
+  result.convection = result.first_guess.velocity;
+  result.convection.add(-bdf.a0 / step.dt, now.positions);
+  result.convection.add(-bdf.a1 / step.dt, old.positions);
+  result.convection.add(-bdf.a2 / step.dt, older.positions);
+  result.convection.update_ghost_values();
+
+  const auto &bodies = simulation.rigid_bodies();
+  result.forces      = simulation.external_forces(now.time);
+  const auto candidates =
+    simulation.contact_set().candidates(now.configuration);
+  for (unsigned int c = 0; c < candidates.size(); ++c)
+    {
+      const auto rate = candidates[c].rate(bodies);
+      for (unsigned int k = 0; k < rate.size(); ++k)
+        result.forces[k] += candidates[c].meshed_share *
+                            now.flow.contact_forces[c] * rate[k] /
+                            bodies.meshed_share(k);
+    }
+  return result;
+}
+
+
+
+/**
+ * The last @p n_steps steps until @p strain; fewer if there is a new mesh.
+ */
+inline std::deque<RecordedStep>
+recorded_steps(Catena::Simulation<3> &simulation,
+               const double           strain,
+               const unsigned int     n_steps)
+{
+  std::deque<RecordedStep> steps;
+  simulation.initialize();
+  Catena::TimeStep step;
+  Catena::Level<3> older;
+  while (simulation.strain() < strain - 1e-9)
+    {
+      older                           = simulation.current_state().before;
+      const bool               held   = simulation.held_in_place();
+      const Catena::StepReport report = simulation.advance();
+      step                            = step.next(report.dt);
+      if (report.remeshed)
+        steps.clear();
+      else if (!held && !older.log_conformation.empty())
+        steps.push_back(record(simulation, older, step));
+      if (steps.size() > n_steps)
+        steps.pop_front();
+    }
+  return steps;
+}
+
+#endif
