@@ -40,27 +40,6 @@ namespace Catena
 
 
 
-  namespace
-  {
-    /// Velocity of the nodes at the present instant, by the central difference.
-    template <int dim>
-    VectorType
-    present_mesh_velocity(const TimeStep   &step,
-                          const Level<dim> &next,
-                          const Level<dim> &now,
-                          const Level<dim> &before)
-    {
-      const double w = step.ratio(), ahead = 1. / (step.dt * (1. + w)),
-                   behind = w / (step.previous_dt * (1. + w));
-      VectorType result   = next.positions;
-      result.sadd(ahead, behind - ahead, now.positions);
-      result.add(-behind, before.positions);
-      return result;
-    }
-  } // namespace
-
-
-
   template <int dim>
   bool
   FlowStep<dim>::has_numerical_viscosity(const TimeStep &step) const
@@ -77,7 +56,6 @@ namespace Catena
   FlowStep<dim>::motion(const Level<dim> &next,
                         const TimeStep   &step,
                         const Level<dim> &now,
-                        const Level<dim> &before,
                         const VectorType &mesh_velocity) const
   {
     Motion result;
@@ -86,14 +64,6 @@ namespace Catena
     result.convection = next.flow.velocity;
     result.convection -= mesh_velocity;
     result.convection.update_ghost_values();
-    if (step.has_previous())
-      {
-        result.velocity       = now.flow.velocity;
-        result.old_convection = now.flow.velocity;
-        result.old_convection -= present_mesh_velocity(step, next, now, before);
-        result.old_convection.update_ghost_values();
-        result.velocity.update_ghost_values();
-      }
     if (has_numerical_viscosity(step))
       result.smooth_strain_rate =
         StrainRateProjection<dim>(*mesh).project(now.flow.velocity);
@@ -119,8 +89,6 @@ namespace Catena
       log_conformation,
       old_log_conformation.empty() ? log_conformation : old_log_conformation,
       motion.convection,
-      motion.velocity,
-      motion.old_convection,
       motion.smooth_strain_rate);
   }
 
@@ -194,7 +162,7 @@ namespace Catena
                               const std::vector<Contact<dim>> &candidates,
                               const std::vector<double>       &external_forces)
   {
-    const Motion motion = this->motion(next, step, now, before, mesh_velocity);
+    const Motion motion = this->motion(next, step, now, mesh_velocity);
     std::unique_ptr<StressModel<dim>> model;
     if (parameters.viscoelastic())
       model = viscoelastic_stress(step,
@@ -258,10 +226,8 @@ namespace Catena
     flow_solver.renew_preconditioner();
 
     // it depends on the viscosity, which knows of no motion
-    Motion rest{mesh->vector_field(),
-                mesh->vector_field(),
-                mesh->vector_field(),
-                {}};
+    Motion rest;
+    rest.convection = mesh->vector_field();
     if (parameters.viscoelastic() && has_numerical_viscosity(instant.step))
       rest.smooth_strain_rate =
         std::vector<VectorType>(n_symmetric_components(dim));

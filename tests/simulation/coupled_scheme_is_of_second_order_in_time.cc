@@ -1,7 +1,11 @@
 // Three discs in a Giesekus fluid on one mesh that moves with them, from rest
 // through the start-up with fixed discs and the ramp of their holding force to
-// a free motion: halving the time step divides what it changes by four, on a
-// coarse mesh, too, although its errors are larger by far.
+// a free motion: halving the time step divides what it changes by four.
+//
+// The errors of the mesh also depend on the time step, to first order: the
+// stress is predicted from a field that satisfies the transport equation only
+// in the mean over elements. With the shortest steps, and on a coarse mesh,
+// that is what is left; it must fall with the element size.
 
 #include <string>
 
@@ -69,12 +73,18 @@ struct Changes
   std::string         name;
   std::vector<double> of_halving;
 
-  /// Of the last two halvings
   double
-  order() const
+  order(const unsigned int i) const
+  {
+    return std::log2(of_halving[i] / of_halving[i + 1]);
+  }
+
+  /// The part of first order of the last change, if the rest is of second
+  double
+  first_order() const
   {
     const unsigned int n = of_halving.size();
-    return std::log2(of_halving[n - 2] / of_halving[n - 1]);
+    return std::abs(4. * of_halving[n - 1] - of_halving[n - 2]);
   }
 };
 
@@ -83,7 +93,9 @@ struct Changes
 std::vector<Changes>
 changes(Claims &claims, const double h)
 {
-  std::vector<Changes>   result = {{"positions", {}}, {"motions", {}}};
+  std::vector<Changes>   result = {{"position", {}},
+                                   {"velocity", {}},
+                                   {"spins", {}}};
   std::vector<DiscState> states;
   for (const double dt : {0.1, 0.05, 0.025, 0.0125})
     {
@@ -93,11 +105,18 @@ changes(Claims &claims, const double h)
         continue;
       const DiscState &a = states[n - 2], &b = states[n - 1];
       result[0].of_halving.push_back(distance(a.position, b.position));
-      result[1].of_halving.push_back(
-        std::hypot(distance(a.velocity, b.velocity),
-                   distance(a.spins, b.spins)));
-      for (const Changes &c : result)
-        print("  ", c.name, " change by ", c.of_halving.back());
+      result[1].of_halving.push_back(distance(a.velocity, b.velocity));
+      result[2].of_halving.push_back(distance(a.spins, b.spins));
+      if (n > 2)
+        for (const Changes &c : result)
+          print("  ",
+                c.name,
+                " changes by ",
+                c.of_halving[n - 3],
+                ", then ",
+                c.of_halving[n - 2],
+                ", order ",
+                c.order(n - 3));
     }
   return result;
 }
@@ -108,10 +127,17 @@ int
 main(int argc, char **argv)
 {
   return run(argc, argv, [](Claims &claims) {
-    for (const double h : {0.4, 0.1})
-      for (const Changes &c : changes(claims, h))
-        claims.at_least(c.name + ", order of the last two halvings",
-                        c.order(),
-                        1.8);
+    const auto coarse = changes(claims, 0.4);
+    const auto fine   = changes(claims, 0.1);
+    for (unsigned int i = 0; i < fine.size(); ++i)
+      {
+        const std::string &name = fine[i].name;
+        claims.at_least(name + ", order 2 from dt 0.2 to 0.05",
+                        fine[i].order(0),
+                        1.7);
+        claims.at_most(name + ", what is of first order goes with the mesh",
+                       fine[i].first_order() / coarse[i].first_order(),
+                       1. / 3.);
+      }
   });
 }

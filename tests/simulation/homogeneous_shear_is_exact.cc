@@ -110,8 +110,6 @@ simulate(const Scene<dim>         &scene,
                                          s,
                                          state.before.log_conformation,
                                          state.now.flow.velocity,
-                                         state.now.flow.velocity,
-                                         state.now.flow.velocity,
                                          smooth_strain_rate);
   std::vector<StressCoefficients<dim>> coefficients;
   CellValues<dim>                      values;

@@ -12,21 +12,15 @@ namespace Catena
 {
   /**
    * The viscoelastic stress predicted in terms of the new velocity gradient L
-   * (after D'Avino & Hulsen, J. Non-Newtonian Fluid Mech. 165 (2010) 1602),
+   * (D'Avino & Hulsen, J. Non-Newtonian Fluid Mech. 165 (2010) 1602),
    *
-   *   sigma + p I = 2 beta D + G (c_pred - I).
+   *   sigma + p I = 2 beta D + G (c_pred - I),
+   *   c_pred = -(a1 c^n + a2 c^(n-1))/a0
+   *            + (dt/a0) [ -w.grad c^ + L c^ + c^ L^T + f(c^) ],
    *
-   * c_pred continues the last change of c by the change of its rate
-   * R = -w.grad c + L c + c L^T + f(c), with w = u - u_mesh,
-   *
-   *   c_pred = c^n + dt (c^n - c^(n-1))/dt' + (dt + dt')/2 (R^ - R^n),
-   *
-   * where R^ has the new L, and c^ and w^ extrapolated to the new instant;
-   * c^ = exp(s^) stays positive. Its error is of third order, and a steady c is
-   * predicted exactly, although it satisfies R = 0 only in the mean over the
-   * elements. Without a previous step, c_pred = c^n + dt R^.
-   *
-   * The tensor viscosity is H = beta I + G (dt + dt')/2 c^: the momentum
+   * with the BDF coefficients a, the velocity w = u^ - u_mesh against the
+   * mesh, and ^ the extrapolation to the new instant; c^ = exp(s^) stays
+   * positive. The tensor viscosity is H = beta I + (G dt/a0) c^: the momentum
    * balance is well posed also without solvent.
    *
    * With little solvent, motions that the continuous P1 stress does not see are
@@ -47,9 +41,7 @@ namespace Catena
 
     /**
      * @param log_conformation, old_log_conformation s at t^n and t^(n-1)
-     * @param convection w^ at the P2 nodes
-     * @param velocity, old_convection u^n and w^n, of a step that has a
-     * previous one
+     * @param convection w at the P2 nodes
      * @param smooth_strain_rate components of D_h^n; without any there is no
      * numerical viscosity
      *
@@ -60,8 +52,6 @@ namespace Catena
                      const std::vector<VectorType> &log_conformation,
                      const std::vector<VectorType> &old_log_conformation,
                      const VectorType              &convection,
-                     const VectorType              &velocity,
-                     const VectorType              &old_convection,
                      const std::vector<VectorType> &smooth_strain_rate);
 
     void
@@ -81,8 +71,6 @@ namespace Catena
     const std::vector<VectorType> &log_conformation;
     const std::vector<VectorType> &old_log_conformation;
     const VectorType              &convection;
-    const VectorType              &velocity;
-    const VectorType              &old_convection;
     const std::vector<VectorType> &smooth_strain_rate;
   };
 

@@ -99,7 +99,7 @@ namespace Catena
     /// see StressPrediction.
     struct Motion
     {
-      VectorType              convection, velocity, old_convection;
+      VectorType              convection;
       std::vector<VectorType> smooth_strain_rate;
     };
 
@@ -107,7 +107,6 @@ namespace Catena
     motion(const Level<dim> &next,
            const TimeStep   &step,
            const Level<dim> &now,
-           const Level<dim> &before,
            const VectorType &mesh_velocity) const;
 
     std::unique_ptr<StressModel<dim>>
