@@ -15,15 +15,6 @@ namespace Catena
 {
   using namespace dealii;
 
-  namespace
-  {
-    /// Upwinding looks back over a quarter of the time in which the fluid
-    /// deforms or relaxes: longer smears the layers at the particles.
-    constexpr double flow_rates = 4.;
-  } // namespace
-
-
-
   void
   ConformationSolverParameters::declare(ParameterHandler &prm)
   {
@@ -190,11 +181,7 @@ namespace Catena
                 crossing_rate += std::abs(along_w[v]);
               }
             const double rate = bdf.a0 / step.dt + relaxation;
-            // without dt, so that a steady state has no memory of the step
-            const double tau =
-              1. /
-              std::hypot(flow_rates * (1. / model.relaxation_time() + L.norm()),
-                         crossing_rate);
+            const double tau  = 1. / std::hypot(rate, crossing_rate);
 
             for (unsigned int v = 0; v < n_vertices; ++v)
               {
