@@ -25,7 +25,6 @@
 #include <catena/scene/line_of_particles.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
 
 #include <deal.II/lac/solver_gmres.h>
@@ -37,6 +36,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cpu_seconds.h"
 #include "ilut.h"
 #include "recorded_steps.h"
 #include "whole_system.h"
@@ -55,17 +55,6 @@ namespace
     unsigned int iterations_from_zero = 0;
     double       iterations = 0., memory = 0., difference = 0.;
   };
-
-
-
-  template <typename Part>
-  double
-  seconds(const Part &part)
-  {
-    Timer timer;
-    part();
-    return timer.cpu_time();
-  }
 
 
 
@@ -120,18 +109,18 @@ namespace
       fields.pressure = 0.;
       fields.motions =
         reference_motions<3>(mesh.scene(), steps[0].configuration, false);
-      costs.solve_from_zero = seconds(
+      costs.solve_from_zero = cpu_seconds(
         [&] { costs.iterations_from_zero = solve(fields, steps[0].forces); });
 
       for (const RecordedStep &step : steps)
         {
           mesh.set_positions(step.positions);
           const auto stress = step.stress(fluid);
-          costs.assembly += seconds([&] { assemble(step, stress); });
+          costs.assembly += cpu_seconds([&] { assemble(step, stress); });
           prepare();
           fields = step.first_guess;
-          costs.solve +=
-            seconds([&] { costs.iterations += solve(fields, step.forces); });
+          costs.solve += cpu_seconds(
+            [&] { costs.iterations += solve(fields, step.forces); });
           costs.difference =
             std::max(costs.difference,
                      largest_difference(fields.motions, step.motions));
@@ -182,7 +171,7 @@ namespace
     {
       first_assembly_counts = true;
       solver.reinit(mesh, bodies, step.configuration, false);
-      costs.set_up = seconds(
+      costs.set_up = cpu_seconds(
         [&] { solver.assemble(step.configuration, step.stress(fluid)); });
     }
 
@@ -261,7 +250,7 @@ namespace
       prepare();
       if (is_ilut)
         {
-          costs.set_up = seconds([&] {
+          costs.set_up = cpu_seconds([&] {
             ilut.initialize(matrix, std::stoi(words[1]), std::stod(words[2]));
           });
           std::cerr << "# entries of the factors per entry of the matrix: "
@@ -276,7 +265,7 @@ namespace
             direct_control,
             TrilinosWrappers::SolverDirect::AdditionalData(false,
                                                            "Amesos_Mumps"));
-          costs.set_up = seconds([&] { direct->initialize(*copy); });
+          costs.set_up = cpu_seconds([&] { direct->initialize(*copy); });
         }
     }
 

@@ -21,13 +21,14 @@
 #include <catena/scene/line_of_particles.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
 
 #include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <string>
+
+#include "../benchmarks/cpu_seconds.h"
 
 using namespace dealii;
 using namespace Catena;
@@ -186,17 +187,6 @@ namespace
 
 
 
-  template <typename Part>
-  double
-  seconds(const Part &part)
-  {
-    Timer timer;
-    part();
-    return timer.cpu_time();
-  }
-
-
-
   void
   run(const MeshParameters &mesh_parameters,
       const double          tolerance,
@@ -231,11 +221,11 @@ namespace
     unsigned int              iterations = 0, step_iterations = 0;
 
     const double set_up =
-      seconds([&] { solver.reinit(mesh, bodies, now, false); });
+      cpu_seconds([&] { solver.reinit(mesh, bodies, now, false); });
     const double first_assembly =
-      seconds([&] { solver.assemble(now, stress); });
+      cpu_seconds([&] { solver.assemble(now, stress); });
     const double solve =
-      seconds([&] { iterations = solver.solve(fields, {}, no_forces); });
+      cpu_seconds([&] { iterations = solver.solve(fields, {}, no_forces); });
     const std::vector<RigidMotion<3>> motions = fields.motions;
 
     Configuration<3> next = now;
@@ -249,9 +239,9 @@ namespace
     }
     write_problem(directory + "/problem.json", scene, now, next, tolerance);
 
-    const double assembly = seconds([&] { solver.assemble(next, stress); });
-    const double step =
-      seconds([&] { step_iterations = solver.solve(fields, {}, no_forces); });
+    const double assembly = cpu_seconds([&] { solver.assemble(next, stress); });
+    const double step     = cpu_seconds(
+      [&] { step_iterations = solver.solve(fields, {}, no_forces); });
 
     Utilities::System::MemoryStats memory;
     Utilities::System::get_memory_stats(memory);

@@ -44,8 +44,9 @@ namespace Catena
     {
       const auto &identification = projection.identification;
       const auto &mesh           = projection.mesh;
-      const auto  fields         = projection.field(src);
-      dst                        = 0.;
+      const auto  fields =
+        projection.identification.fields(projection.mesh, src);
+      dst = 0.;
       for (unsigned int c = 0; c < mesh.cells().size(); ++c)
         {
           const auto &cell = mesh.cells()[c];
@@ -171,32 +172,6 @@ namespace Catena
 
 
   template <int dim>
-  BlockVectorType
-  EntropyProjection<dim>::zero() const
-  {
-    BlockVectorType result(n_components);
-    for (unsigned int k = 0; k < n_components; ++k)
-      result.block(k).reinit(mesh.owned_scalars(), mesh.communicator());
-    result.collect_sizes();
-    return result;
-  }
-
-
-
-  template <int dim>
-  std::vector<VectorType>
-  EntropyProjection<dim>::field(const BlockVectorType &values) const
-  {
-    // sized first: a vector copied when the list grows loses its ghost values
-    std::vector<VectorType> result(n_components);
-    for (unsigned int k = 0; k < n_components; ++k)
-      result[k] = identification.field(k, mesh, values.block(k));
-    return result;
-  }
-
-
-
-  template <int dim>
   double
   EntropyProjection<dim>::evaluate(const std::vector<VectorType> &s,
                                    const Tensors                 &conformation,
@@ -261,7 +236,9 @@ namespace Catena
     constexpr double       least_step    = 1e-4;
     constexpr double       linear_excess = 1e-3;
 
-    BlockVectorType s = zero(), gradient = zero(), change = zero();
+    BlockVectorType s        = TensorIdentification<dim>::zero(mesh),
+                    gradient = TensorIdentification<dim>::zero(mesh),
+                    change   = TensorIdentification<dim>::zero(mesh);
     for (unsigned int k = 0; k < n_components; ++k)
       for (const auto i : mesh.owned_scalars())
         if (identification.is_free(k, i))
@@ -269,7 +246,8 @@ namespace Catena
 
     for (unsigned int step = 0; step < max_steps; ++step)
       {
-        const double functional = evaluate(field(s), conformation, &gradient);
+        const double functional =
+          evaluate(identification.fields(mesh, s), conformation, &gradient);
         if (!std::isfinite(functional))
           break;
         change = 0.;
@@ -281,16 +259,17 @@ namespace Catena
         const double decrease = change * gradient;
         double       length   = 1.;
         s.add(-1., change);
-        while (length > least_step &&
-               !(evaluate(field(s), conformation, nullptr) <=
-                 functional - 0.1 * length * decrease +
-                   1e-12 * std::abs(functional)))
+        while (
+          length > least_step &&
+          !(evaluate(identification.fields(mesh, s), conformation, nullptr) <=
+            functional - 0.1 * length * decrease +
+              1e-12 * std::abs(functional)))
           {
             length /= 2.;
             s.add(length, change);
           }
         if (change.linfty_norm() < small_change)
-          return field(s);
+          return identification.fields(mesh, s);
       }
     throw SolverError("The projection of the conformation onto a new mesh did "
                       "not converge in " +

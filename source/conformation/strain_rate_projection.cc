@@ -22,8 +22,9 @@ namespace Catena
     void
     vmult(BlockVectorType &dst, const BlockVectorType &src) const
     {
-      const auto fields = projection.field(src);
-      dst               = 0.;
+      const auto fields =
+        projection.identification.fields(projection.mesh, src);
+      dst = 0.;
       for (unsigned int c = 0; c < projection.masses.size(); ++c)
         {
           const auto     &cell   = projection.mesh.cells()[c];
@@ -42,7 +43,8 @@ namespace Catena
     BlockVectorType
     inverse_diagonal() const
     {
-      BlockVectorType diagonal = projection.zero();
+      BlockVectorType diagonal =
+        TensorIdentification<dim>::zero(projection.mesh);
       for (unsigned int c = 0; c < projection.masses.size(); ++c)
         for (unsigned int v = 0; v < n_vertices; ++v)
           {
@@ -86,32 +88,6 @@ namespace Catena
 
 
   template <int dim>
-  BlockVectorType
-  StrainRateProjection<dim>::zero() const
-  {
-    BlockVectorType result(n_components);
-    for (unsigned int k = 0; k < n_components; ++k)
-      result.block(k).reinit(mesh.owned_scalars(), mesh.communicator());
-    result.collect_sizes();
-    return result;
-  }
-
-
-
-  template <int dim>
-  std::vector<VectorType>
-  StrainRateProjection<dim>::field(const BlockVectorType &values) const
-  {
-    // sized first: a vector copied when the list grows loses its ghost values
-    std::vector<VectorType> result(n_components);
-    for (unsigned int k = 0; k < n_components; ++k)
-      result[k] = identification.field(k, mesh, values.block(k));
-    return result;
-  }
-
-
-
-  template <int dim>
   void
   StrainRateProjection<dim>::add(BlockVectorType               &equations,
                                  const unsigned int             vertex,
@@ -133,7 +109,8 @@ namespace Catena
     constexpr double       relative_residual = 1e-6;
     constexpr unsigned int max_iterations    = 100;
 
-    BlockVectorType rhs = zero(), solution = zero();
+    BlockVectorType rhs      = TensorIdentification<dim>::zero(mesh),
+                    solution = TensorIdentification<dim>::zero(mesh);
     CellValues<dim> values;
     for (const auto &cell : mesh.cells())
       {
@@ -177,7 +154,7 @@ namespace Catena
                           "converge in " +
                           std::to_string(max_iterations) + " iterations.");
       }
-    return field(solution);
+    return identification.fields(mesh, solution);
   }
 
 

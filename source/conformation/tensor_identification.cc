@@ -49,6 +49,33 @@ namespace Catena
 
 
 
+  template <int dim>
+  std::vector<VectorType>
+  TensorIdentification<dim>::fields(const MovingMesh<dim> &mesh,
+                                    const BlockVectorType &values) const
+  {
+    // sized first: a vector copied when the list grows loses its ghost values
+    std::vector<VectorType> result(n_symmetric_components(dim));
+    for (unsigned int k = 0; k < result.size(); ++k)
+      result[k] = field(k, mesh, values.block(k));
+    return result;
+  }
+
+
+
+  template <int dim>
+  BlockVectorType
+  TensorIdentification<dim>::zero(const MovingMesh<dim> &mesh)
+  {
+    BlockVectorType result(n_symmetric_components(dim));
+    for (unsigned int k = 0; k < result.n_blocks(); ++k)
+      result.block(k).reinit(mesh.owned_scalars(), mesh.communicator());
+    result.collect_sizes();
+    return result;
+  }
+
+
+
   template class TensorIdentification<2>;
   template class TensorIdentification<3>;
 } // namespace Catena

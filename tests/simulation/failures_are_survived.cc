@@ -34,16 +34,6 @@ namespace
 
 
 
-  Scene<2>
-  close_discs()
-  {
-    Scene<2> scene = Tests::three_discs();
-    scene.particles[1].centre *= 2.35 / 2.6;
-    return scene;
-  }
-
-
-
   /// One way to fail.
   struct Failure
   {
@@ -157,7 +147,7 @@ namespace
   run(const Failure *failure, const std::vector<double> &strains)
   {
     const auto    parameters = parameters_of_run();
-    Simulation<2> simulation(close_discs(), parameters, MPI_COMM_WORLD);
+    Simulation<2> simulation(Tests::close_discs(), parameters, MPI_COMM_WORLD);
     simulation.initialize();
     Outcome           outcome;
     std::vector<char> has_failed(strains.size(), 0);
@@ -222,7 +212,9 @@ namespace
   {
     auto       parameters = parameters_of_run();
     const auto run        = [&](unsigned int &most_iterations) {
-      Simulation<2> simulation(close_discs(), parameters, MPI_COMM_WORLD);
+      Simulation<2> simulation(Tests::close_discs(),
+                               parameters,
+                               MPI_COMM_WORLD);
       simulation.initialize();
       most_iterations = 0;
       while (simulation.strain() < parameters.final_strain - 1e-9)
@@ -271,7 +263,7 @@ namespace
     std::string        message;
     try
       {
-        run_simulation<2>(close_discs(),
+        run_simulation<2>(Tests::close_discs(),
                           parameters_of_run(),
                           {folder, false, resume},
                           MPI_COMM_WORLD,

@@ -72,16 +72,6 @@ namespace
 
 
 
-  Scene<2>
-  close_discs()
-  {
-    Scene<2> scene = Tests::three_discs();
-    scene.particles[1].centre *= 2.35 / 2.6;
-    return scene;
-  }
-
-
-
   /// Is a new mesh asked for after so many steps?
   bool
   remeshes_after(const unsigned int n_steps)
@@ -125,7 +115,7 @@ namespace
   Run
   whole_run(const SimulationParameters &parameters)
   {
-    Simulation<2> simulation(close_discs(), parameters, MPI_COMM_WORLD);
+    Simulation<2> simulation(Tests::close_discs(), parameters, MPI_COMM_WORLD);
     simulation.initialize();
     Run  run;
     bool was_held = false;
@@ -153,7 +143,7 @@ namespace
                    const SimulationParameters &parameters,
                    const MPI_Comm              communicator)
   {
-    Simulation<2> simulation(close_discs(), parameters, communicator);
+    Simulation<2> simulation(Tests::close_discs(), parameters, communicator);
     load(run.saved[instant], simulation);
     double largest = 0.;
     for (unsigned int i = instant;

@@ -32,6 +32,17 @@ namespace Catena
 
 
 
+    /// The same, so close that they soon come to a smallest gap of 0.11.
+    inline Scene<2>
+    close_discs()
+    {
+      Scene<2> scene = three_discs();
+      scene.particles[1].centre *= 2.35 / 2.6;
+      return scene;
+    }
+
+
+
     /**
      * A Giesekus fluid on a mesh with elements of size @p h, never remeshed
      * unless it is asked for, with tight solvers.

@@ -73,13 +73,6 @@ namespace Catena
     /// number of the first point of each cell, and of all points
     std::vector<std::size_t> first_points;
 
-    BlockVectorType
-    zero() const;
-
-    /// The field of the free values @p values.
-    std::vector<VectorType>
-    field(const BlockVectorType &values) const;
-
     /**
      * The functional at s_h, up to a constant.
      * @param gradient filled if given, and the tangents of the points

@@ -42,13 +42,6 @@ namespace Catena
 
     class Mass;
 
-    /// Of the free values on this rank, zero.
-    BlockVectorType
-    zero() const;
-
-    std::vector<VectorType>
-    field(const BlockVectorType &values) const;
-
     /// Adds a value at a vertex of a cell to the equations of its master.
     void
     add(BlockVectorType                       &equations,

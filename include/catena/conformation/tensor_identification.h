@@ -59,6 +59,14 @@ namespace Catena
           const MovingMesh<dim> &mesh,
           const VectorType      &values) const;
 
+    /// The same for all components, a block of @p values for each.
+    std::vector<VectorType>
+    fields(const MovingMesh<dim> &mesh, const BlockVectorType &values) const;
+
+    /// Values at the masters, all zero: a block for each component.
+    static BlockVectorType
+    zero(const MovingMesh<dim> &mesh);
+
   private:
     std::vector<unsigned int> masters;
     std::array<std::vector<signed char>, n_symmetric_components(dim)>

@@ -119,8 +119,7 @@ namespace Catena
     bool
     has_numerical_viscosity(const TimeStep &step) const;
 
-    /// The stress of which the last preconditioner was made, as far as it
-    /// depends on the flow.
+    /// Make the preconditioner again of what it was made of.
     void
     assemble_preconditioner();
 
