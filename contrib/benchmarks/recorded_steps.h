@@ -17,7 +17,7 @@ struct RecordedStep
   Catena::Configuration<3>            configuration;
   Catena::TimeStep                    step;
   Catena::VectorType                  positions, convection;
-  std::vector<Catena::VectorType>     old, older;
+  std::vector<Catena::VectorType>     old, older, unsmoothed;
   Catena::FlowFields<3>               first_guess;
   std::vector<double>                 forces;
   std::vector<Catena::RigidMotion<3>> motions;
@@ -26,7 +26,7 @@ struct RecordedStep
   stress(const Catena::GiesekusParameters &fluid) const
   {
     return Catena::StressPrediction<3>(
-      Catena::Giesekus<3>(fluid), step, old, older, convection);
+      Catena::Giesekus<3>(fluid), step, old, older, convection, unsmoothed);
   }
 };
 

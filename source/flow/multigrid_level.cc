@@ -8,6 +8,18 @@ namespace Catena
 {
   using namespace dealii;
 
+  namespace
+  {
+    /**
+     * The highest mode can be one of few elements, which the power iteration
+     * finds slowly; what lies above the range of the smoother it amplifies.
+     */
+    constexpr unsigned int n_iterations = 20;
+    constexpr double       safety       = 1.2;
+  } // namespace
+
+
+
   MultigridLevel::MultigridLevel(NodeMatrix                    new_matrix,
                                  const std::vector<FieldMask> &masks,
                                  const double                  smoothing_range)
@@ -22,7 +34,7 @@ namespace Catena
           lanes(inverse_diagonal)[i][lane] = 1.f / level_matrix.diagonal(i);
     estimate_eigenvalue();
 
-    const double high = 1.1 * eigenvalue, low = eigenvalue / smoothing_range;
+    const double high = safety * eigenvalue, low = eigenvalue / smoothing_range;
     const double centre = (high + low) / 2., radius = (high - low) / 2.;
     const double ratio = 1. / (2. * centre / radius - radius / centre);
     first_weight       = 1. / centre;
@@ -38,8 +50,6 @@ namespace Catena
   void
   MultigridLevel::estimate_eigenvalue()
   {
-    constexpr unsigned int n_iterations = 10;
-
     const auto        &nodes = level_matrix.column_nodes();
     const unsigned int n     = level_matrix.n_rows();
     for (unsigned int i = 0; i < n; ++i)
