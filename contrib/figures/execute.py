@@ -98,13 +98,15 @@ def execute(runs, programs, folder, jobs):
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, runner.stop)
 
+    on_terminal = sys.stdout.isatty()
+    clear = "\r\033[K" if on_terminal else ""
     failed, done = [], 0
     with ThreadPoolExecutor(jobs) as pool:
         waiting = {pool.submit(runner.run, run): run for run in left}
         while waiting:
             finished, _ = wait(waiting, 1., FIRST_COMPLETED)
-            if sys.stdout.isatty():
-                print(f"\r\033[K{runner.progress(done, len(left))}", end="",
+            if on_terminal:
+                print(f"{clear}{runner.progress(done, len(left))}", end="",
                       flush=True)
             for future in finished:
                 run = waiting.pop(future)
@@ -112,13 +114,12 @@ def execute(runs, programs, folder, jobs):
                 if runner.stopped:
                     continue
                 done += 1
-                clear = "\r\033[K" if sys.stdout.isatty() else ""
                 print(f"{clear}{done} of {len(left)}: {run.name}  " +
                       (f"FAILED: {problem}" if problem else
                        f"{run.seconds():.0f} s"), flush=True)
                 if problem:
                     failed.append(run)
     if runner.stopped:
-        print("\nStopped: the same command goes on")
+        print(f"{clear}Stopped: the same command goes on")
         sys.exit(128 + runner.stopped)
     return failed

@@ -1,6 +1,8 @@
 """What is in each figure: the parameter files it takes its curves from, and what
 is drawn of them."""
 
+import matplotlib.pyplot as plt
+
 from cases import write_table
 from outcomes import filled, markdown, outcome, thinned_curves
 from style import save
@@ -79,7 +81,8 @@ class Maps:
             return None
         figure, rows = stress_maps.draw(maps, self.half_size,
                                         self.largest_shown, self.n_columns)
-        save(figure, output, (".png",))
+        with plt.rc_context({"savefig.dpi": 150}):
+            save(figure, output, (".png",))
         write_table(output.with_name(output.name + ".csv"), rows)
         return markdown(rows)
 

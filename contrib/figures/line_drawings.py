@@ -1,8 +1,7 @@
 """Curves in panels."""
 
-import matplotlib
+import math
 
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 from style import number
@@ -39,6 +38,13 @@ def grid(n_panels, n_quantities):
     return -(-n // n_columns), n_columns
 
 
+def value(row, column):
+    """A number that is drawn: there is no force where there is no contact."""
+    if column == "F_r" and number(row["held_contacts"]) == 0.:
+        return math.nan
+    return number(row[column])
+
+
 def draw(curves, abscissa, quantities, scale="linear"):
     """A figure with a panel for each quantity and each panel of the curves. A
     quantity is a column, its label and the range shown, if not all."""
@@ -52,11 +58,10 @@ def draw(curves, abscissa, quantities, scale="linear"):
         of_panel = [c for c in curves if c.panel == panel]
         colour = colours([c.label for c in of_panel])
         for curve in of_panel:
-            rows = [r for r in curve.run.rows()
-                    # between contacts there is no force
-                    if column != "F_r" or number(r["held_contacts"]) > 0]
+            # not the start-up, at negative strains
+            rows = [r for r in curve.run.rows() if number(r[abscissa[0]]) >= 0.]
             axis.plot([number(r[abscissa[0]]) for r in rows],
-                      [number(r[column]) for r in rows],
+                      [value(r, column) for r in rows],
                       label=in_words(curve.label), color=colour[curve.label],
                       linestyle="--" if curve.label == "Newtonian" else "-")
         axis.set_xscale(scale)
@@ -68,15 +73,12 @@ def draw(curves, abscissa, quantities, scale="linear"):
         axis.set_title(in_words(panel), fontsize=9)
     for axis in axes[-1]:
         axis.set_xlabel(abscissa[1])
-    if abscissa[0] == "strain":
-        axes.flat[0].set_xlim(left=0.)
     for axis in axes.flat[len(cells):]:
         axis.remove()
-    # a legend for each panel that has other curves than the one before
-    before = None
+    explained = []
     for axis in axes.flat[:len(cells)]:
         labels = axis.get_legend_handles_labels()[1]
-        if labels and labels != before:
+        if labels and labels not in explained:
             axis.legend(handlelength=1.4, fontsize=7, labelspacing=0.2)
-        before = labels
+            explained.append(labels)
     return figure

@@ -5,9 +5,6 @@ import base64
 import xml.etree.ElementTree as xml
 import zlib
 
-import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -125,14 +122,12 @@ def draw(maps, half_size, largest_shown, n_columns):
         axis.set_title(f"{title}: largest {largest:.1f}", fontsize=8)
         rows.append({"map": title, "strain": f"{strain:g}",
                      "largest tr(tau)/G": f"{largest:.2f}"})
-    for axis in axes.flat[len(maps):]:
-        axis.remove()
-    for axis in axes[:-1].flat:
-        axis.tick_params(labelbottom=False)
     for axis in axes[-1]:
         axis.set_xlabel("$x/a$")
     for axis in axes[:, 0]:
         axis.set_ylabel("$y/a$")
-    figure.colorbar(drawn, ax=axes, location="bottom", aspect=50, shrink=0.6,
+    for axis in axes.flat[len(maps):]:
+        axis.remove()
+    figure.colorbar(drawn, ax=list(axes.flat[:len(maps)]), location="bottom", aspect=50, shrink=0.6,
                     label=r"$\mathrm{tr}(\tau)/G$", extend="max")
     return figure, rows
