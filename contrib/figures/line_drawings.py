@@ -60,6 +60,8 @@ def draw(curves, abscissa, quantities, scale="linear"):
         for curve in of_panel:
             # not the start-up, at negative strains
             rows = [r for r in curve.run.rows() if number(r[abscissa[0]]) >= 0.]
+            if not rows:
+                continue
             axis.plot([number(r[abscissa[0]]) for r in rows],
                       [value(r, column) for r in rows],
                       label=in_words(curve.label), color=colour[curve.label],

@@ -114,7 +114,7 @@ def draw(maps, half_size, largest_shown, n_columns):
     width = 6.6 / n_columns
     figure, axes = plt.subplots(
         n_rows, n_columns, squeeze=False, layout="constrained",
-        figsize=(6.6, n_rows * (width * half_size[1] / half_size[0] + 0.3) + 0.7))
+        figsize=(6.6, 0.7 + n_rows * (0.3 + width * half_size[1] / half_size[0])))
     rows = []
     for axis, (title, run, strain, path, at_gap) in zip(axes.flat, maps):
         centre = gap_centre(run, strain) if at_gap else np.zeros(2)
