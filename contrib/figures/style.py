@@ -32,9 +32,10 @@ def number(text):
         return math.nan
 
 
-def save(figure, name):
+def save(figure, name, suffixes=(".svg", ".png")):
     """Write NAME.svg and NAME.png, which do not depend on the date."""
-    for suffix, metadata in ((".svg", {"Date": None}), (".png", None)):
+    for suffix in suffixes:
         file = name.with_name(name.name + suffix)
-        figure.savefig(file, metadata=metadata)
+        figure.savefig(file,
+                       metadata={"Date": None} if suffix == ".svg" else None)
         print(file)
