@@ -5,6 +5,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+#include <map>
 
 namespace Catena
 {
@@ -95,6 +96,9 @@ namespace Catena
                               comm);
         pressure_rigid_access =
           CsrAccess(pressure_rigid, mesh.owned_scalars(), rigid_relevant);
+        velocity_rigid_product = RigidProduct(velocity_rigid);
+        rigid_velocity_product = RigidProduct(rigid_velocity_transposed);
+        pressure_rigid_product = RigidProduct(pressure_rigid);
       }
     velocity_product   = BlockProduct<dim, dim>(velocity);
     gradient_product   = BlockProduct<dim, 1>(gradient);
@@ -240,14 +244,10 @@ namespace Catena
         stress.evaluate(cell, values, coefficients);
 
         element.reset(cell, couplings);
-        for (unsigned int q = 0; q < coefficients.size(); ++q)
-          {
-            element.add(values.points()[q], coefficients[q], imposed_gradient);
-            if (body_force)
-              element.add_body_force(values.points()[q],
-                                     positions,
-                                     *body_force);
-          }
+        element.integrate(values.points(), coefficients, imposed_gradient);
+        if (body_force)
+          for (const auto &point : values.points())
+            element.add_body_force(point, positions, *body_force);
         if (element.touches_particle)
           element.condense_known_velocities();
 
@@ -259,7 +259,7 @@ namespace Catena
         if (mesh.scene().pressure_driven())
           add_pressure_drop(element);
         if (with_preconditioner)
-          add_preconditioner(element);
+          add_preconditioner(element, offsets[c]);
       }
     if (mesh.scene().pressure_driven())
       add_pressure_drop_on_particles();
@@ -284,13 +284,13 @@ namespace Catena
             if (!element.couplings[b]->has_unknown())
               continue;
             const auto &trial = element.couplings[b]->factors;
-            const auto &block = element.velocity[a][b];
             for (unsigned int i = 0; i < dim; ++i)
               {
                 double *entries =
                   velocity_access.values(row + i) + offset.velocity[a][b];
                 for (unsigned int j = 0; j < dim; ++j)
-                  entries[j] += test.factors[i] * block[dim * i + j] * trial[j];
+                  entries[j] +=
+                    test.factors[i] * element.velocity[i][j][a][b] * trial[j];
               }
           }
       }
@@ -365,58 +365,79 @@ namespace Catena
 
 
 
+  /**
+   * The element's matrices times the motions of its nodes are summed up by
+   * rigid-body unknown first: looking up their places takes longer.
+   */
   template <int dim>
   void
   FlowMatrices<dim>::add_rigid_blocks(const FlowElement<dim> &element)
   {
-    for (unsigned int b = 0; b < FlowElement<dim>::n_nodes; ++b)
+    constexpr unsigned int n_nodes = FlowElement<dim>::n_nodes;
+
+    using NodeVectors = std::array<Tensor<1, dim>, n_nodes>;
+    struct Columns
+    {
+      /// K m and K^T m for the nodes' motion m of a unit of the unknown
+      NodeVectors forward = {}, transposed = {};
+      std::array<double, FlowElement<dim>::n_vertices> divergence = {};
+    };
+    std::map<unsigned int, Columns> unknowns;
+    for (unsigned int b = 0; b < n_nodes; ++b)
       for (unsigned int j = 0; j < dim; ++j)
         for (const auto &motion : element.couplings[b]->motions[j])
           {
-            for (unsigned int a = 0; a < FlowElement<dim>::n_nodes; ++a)
-              {
-                const NodeCoupling<dim> &node = *element.couplings[a];
-                if (node.rigid && element.cell->owned)
-                  {
-                    for (unsigned int i = 0; i < dim; ++i)
-                      for (const auto &test : node.motions[i])
-                        rigid_rigid(test.first, motion.first) +=
-                          test.second * motion.second *
-                          element.velocity[a][b][dim * i + j];
-                  }
-                if (!node.has_unknown())
-                  continue;
-                const int row = velocity_rigid_access.row(dim * node.master);
-                if (row == CsrAccess::absent)
-                  continue;
-                const int column = velocity_rigid_access.column(motion.first);
-                const int column_transposed =
-                  rigid_velocity_access.column(motion.first);
-                for (unsigned int i = 0; i < dim; ++i)
-                  {
-                    velocity_rigid_access.add(
-                      row + i,
-                      column,
-                      node.factors[i] * motion.second *
-                        element.velocity[a][b][dim * i + j]);
-                    rigid_velocity_access.add(
-                      row + i,
-                      column_transposed,
-                      node.factors[i] * motion.second *
-                        element.velocity[b][a][dim * j + i]);
-                  }
-              }
+            Columns &columns = unknowns[motion.first];
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              for (unsigned int i = 0; i < dim; ++i)
+                {
+                  columns.forward[a][i] +=
+                    element.velocity[i][j][a][b] * motion.second;
+                  columns.transposed[a][i] +=
+                    element.velocity[j][i][b][a] * motion.second;
+                }
             for (unsigned int v = 0; v < FlowElement<dim>::n_vertices; ++v)
+              columns.divergence[v] +=
+                element.divergence[v][b][j] * motion.second;
+          }
+
+    for (const auto &unknown : unknowns)
+      {
+        const unsigned int k                 = unknown.first;
+        const Columns     &columns           = unknown.second;
+        const int          column            = velocity_rigid_access.column(k);
+        const int          column_transposed = rigid_velocity_access.column(k);
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          {
+            const NodeCoupling<dim> &node = *element.couplings[a];
+            if (node.rigid && element.cell->owned)
+              for (unsigned int i = 0; i < dim; ++i)
+                for (const auto &test : node.motions[i])
+                  rigid_rigid(test.first, k) +=
+                    test.second * columns.forward[a][i];
+            const int row = velocity_rigid_access.row(dim * node.master);
+            if (!node.has_unknown() || row == CsrAccess::absent)
+              continue;
+            for (unsigned int i = 0; i < dim; ++i)
               {
-                const int row = pressure_rigid_access.row(
-                  pressure_master(element.cell->vertices[v]));
-                if (row != CsrAccess::absent)
-                  pressure_rigid_access.add(
-                    row,
-                    pressure_rigid_access.column(motion.first),
-                    motion.second * element.divergence[v][b][j]);
+                velocity_rigid_access.add(
+                  row + i, column, node.factors[i] * columns.forward[a][i]);
+                rigid_velocity_access.add(row + i,
+                                          column_transposed,
+                                          node.factors[i] *
+                                            columns.transposed[a][i]);
               }
           }
+        for (unsigned int v = 0; v < FlowElement<dim>::n_vertices; ++v)
+          {
+            const int row = pressure_rigid_access.row(
+              pressure_master(element.cell->vertices[v]));
+            if (row != CsrAccess::absent)
+              pressure_rigid_access.add(row,
+                                        pressure_rigid_access.column(k),
+                                        columns.divergence[v]);
+          }
+      }
   }
 
 
@@ -483,7 +504,8 @@ namespace Catena
 
   template <int dim>
   void
-  FlowMatrices<dim>::add_preconditioner(const FlowElement<dim> &element)
+  FlowMatrices<dim>::add_preconditioner(const FlowElement<dim> &element,
+                                        const Offsets          &offset)
   {
     for (unsigned int v = 0; v < FlowElement<dim>::n_vertices; ++v)
       {
@@ -505,21 +527,16 @@ namespace Catena
             element.couplings[a]->shared_factor(component->components);
         for (unsigned int a = 0; a < FlowElement<dim>::n_nodes; ++a)
           {
-            const NodeCoupling<dim> &test = *element.couplings[a];
-            if (factors[a] == 0.)
+            const int row = component->access.row(element.couplings[a]->master);
+            if (factors[a] == 0. || row == CsrAccess::absent)
               continue;
-            const int row = component->access.row(test.master);
-            if (row == CsrAccess::absent)
-              continue;
+            // a component's matrix has an entry where the velocity's has a
+            // block
+            double *entries = component->access.values(row);
             for (unsigned int b = 0; b < FlowElement<dim>::n_nodes; ++b)
-              {
-                const NodeCoupling<dim> &trial = *element.couplings[b];
-                if (factors[b] != 0.)
-                  component->access.add(row,
-                                        component->access.column(trial.master),
-                                        factors[a] * factors[b] *
-                                          element.component[a][b]);
-              }
+              if (factors[b] != 0.)
+                entries[offset.velocity[a][b] / dim] +=
+                  factors[a] * factors[b] * element.component[a][b];
           }
       }
   }

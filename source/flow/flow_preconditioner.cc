@@ -151,15 +151,13 @@ namespace Catena
       }
     } cycle{*this};
 
-    rigid_src.reinit(matrices->velocity_rigid.locally_owned_domain_indices(),
-                     matrices->velocity_rigid.get_mpi_communicator());
     VectorType column(velocity_src), response(velocity_src);
     for (unsigned int k = 0; k < n; ++k)
       {
         std::vector<double> unit(n, 0.);
         unit[k] = 1.;
-        set_replicated(rigid_src, unit);
-        matrices->velocity_rigid.vmult(column, rigid_src);
+        column  = 0.;
+        matrices->velocity_rigid_product.vmult_add(column, unit);
 
         response = 0.;
         IterationNumberControl control(response_iterations(n), 1e-12);
@@ -168,8 +166,11 @@ namespace Catena
                                                column,
                                                cycle);
         rigid_responses.push_back(response);
-        matrices->rigid_velocity_transposed.Tvmult(rigid_src, response);
-        const std::vector<double> reaction = replicate(rigid_src);
+        std::vector<double> reaction(n);
+        matrices->rigid_velocity_product.Tvmult_add(reaction, response);
+        Utilities::MPI::sum(reaction,
+                            response.get_mpi_communicator(),
+                            reaction);
         for (unsigned int l = 0; l < n; ++l)
           rigid_schur(l, k) -= reaction[l];
       }
@@ -229,13 +230,12 @@ namespace Catena
     const unsigned int n = matrices->n_rigid();
     if (n == 0)
       return;
-    std::vector<double> small = replicate(src.block(2));
-    matrices->pressure_rigid.Tvmult(rigid_src, dst.block(1));
-    const std::vector<double> pressure_part = replicate(rigid_src);
-    matrices->rigid_velocity_transposed.Tvmult(rigid_src, dst.block(0));
-    const std::vector<double> velocity_part = replicate(rigid_src);
+    std::vector<double> small = replicate(src.block(2)), forces(n);
+    matrices->pressure_rigid_product.Tvmult_add(forces, dst.block(1));
+    matrices->rigid_velocity_product.Tvmult_add(forces, dst.block(0));
+    Utilities::MPI::sum(forces, src.block(0).get_mpi_communicator(), forces);
     for (unsigned int k = 0; k < n; ++k)
-      small[k] -= pressure_part[k] + velocity_part[k];
+      small[k] -= forces[k];
     if (src.n_blocks() > 3)
       for (const double rate : replicate(src.block(3)))
         small.push_back(rate);

@@ -23,17 +23,44 @@ namespace Catena
     static constexpr unsigned int n_nodes    = n_quadratic_nodes(dim);
     static constexpr unsigned int n_vertices = n_linear_nodes(dim);
 
-    using Block = std::array<double, dim * dim>;
+    /// A number for each node, in whole registers.
+    using Register = double __attribute__((vector_size(64)));
+    static constexpr unsigned int n_registers = (n_nodes + 7) / 8;
+    struct NodeNumbers
+    {
+      std::array<Register, n_registers> registers = {};
+
+      double
+      operator[](const unsigned int a) const
+      {
+        return registers[a / 8][a % 8];
+      }
+
+      void
+      set(const unsigned int a, const double value)
+      {
+        registers[a / 8][a % 8] = value;
+      }
+
+      /// this += factor x
+      void
+      add(const double factor, const NodeNumbers &x)
+      {
+        for (unsigned int r = 0; r < n_registers; ++r)
+          registers[r] += factor * x.registers[r];
+      }
+    };
 
     const typename MovingMesh<dim>::Cell          *cell;
     std::array<const NodeCoupling<dim> *, n_nodes> couplings;
     bool                                           touches_particle;
 
-    std::array<std::array<Block, n_nodes>, n_nodes> velocity;
+    /// velocity[i][j][a][b]: component i of node a with component j of node b
+    std::array<std::array<std::array<NodeNumbers, n_nodes>, dim>, dim> velocity;
     std::array<std::array<dealii::Tensor<1, dim>, n_nodes>, n_vertices>
                                                            divergence;
     std::array<dealii::Tensor<1, dim>, n_nodes>            rhs;
-    std::array<std::array<double, n_nodes>, n_nodes>       component;
+    std::array<NodeNumbers, n_nodes>                       component;
     std::array<std::array<double, n_vertices>, n_vertices> mass;
     std::array<double, n_vertices>                         volume;
     /// int of the shape functions
@@ -50,67 +77,102 @@ namespace Catena
           couplings[a] = &all_couplings[new_cell.nodes[a]];
           touches_particle |= couplings[a]->rigid;
         }
-      velocity    = {};
       divergence  = {};
       rhs         = {};
-      component   = {};
       mass        = {};
       volume      = {};
       node_volume = {};
     }
 
-    /// K u + B^T p = F, integrated at one point.
+    /// Integrate everything but a body force.
     void
-    add(const typename CellValues<dim>::PointValues &point,
-        const StressCoefficients<dim>               &coefficients,
-        const dealii::Tensor<2, dim>                &imposed_gradient)
+    integrate(const std::vector<typename CellValues<dim>::PointValues> &points,
+              const std::vector<StressCoefficients<dim>> &coefficients,
+              const dealii::Tensor<2, dim>               &imposed_gradient)
     {
-      std::array<dealii::Tensor<1, dim>, n_nodes> flux;
-      for (unsigned int b = 0; b < n_nodes; ++b)
-        flux[b] =
-          point.JxW * (coefficients.viscosity * point.quadratic_gradient[b]);
-
-      for (unsigned int a = 0; a < n_nodes; ++a)
+      add_viscosity(points, coefficients);
+      for (unsigned int q = 0; q < points.size(); ++q)
         {
-          const dealii::Tensor<1, dim> &gradient = point.quadratic_gradient[a];
-          for (unsigned int b = 0; b < n_nodes; ++b)
-            {
-              Block       &block    = velocity[a][b];
-              const double diagonal = gradient * flux[b];
-              component[a][b] += diagonal;
-              for (unsigned int i = 0; i < dim; ++i)
-                {
-                  for (unsigned int j = 0; j < dim; ++j)
-                    block[dim * i + j] += gradient[j] * flux[b][i];
-                  block[(dim + 1) * i] += diagonal;
-                }
-            }
+          if (coefficients[q].tangent_factor != 0.)
+            add_tangent(points[q], coefficients[q]);
+          add_known_stress(points[q], coefficients[q].stress(imposed_gradient));
+          add_divergence(points[q]);
+          add_mass(points[q], dim / dealii::trace(coefficients[q].viscosity));
         }
+    }
 
-      if (coefficients.tangent_factor != 0.)
-        add_tangent(point, coefficients);
+    /**
+     * int (L H + H L^T) : grad v; the trace of int (H L^T) : grad v over the
+     * components is int grad u . (H grad v) of a component.
+     */
+    void
+    add_viscosity(
+      const std::vector<typename CellValues<dim>::PointValues> &points,
+      const std::vector<StressCoefficients<dim>>               &coefficients)
+    {
+      const unsigned int n_points = points.size();
+      fluxes.assign(n_points, {});
+      for (unsigned int q = 0; q < n_points; ++q)
+        for (unsigned int b = 0; b < n_nodes; ++b)
+          {
+            const dealii::Tensor<1, dim> flux =
+              points[q].JxW *
+              (coefficients[q].viscosity * points[q].quadratic_gradient[b]);
+            for (unsigned int i = 0; i < dim; ++i)
+              fluxes[q][i].set(b, flux[i]);
+          }
 
-      const dealii::SymmetricTensor<2, dim> imposed_stress =
-        coefficients.stress(imposed_gradient);
       for (unsigned int a = 0; a < n_nodes; ++a)
         {
-          rhs[a] -= point.JxW * (imposed_stress * point.quadratic_gradient[a]);
+          component[a] = {};
+          for (unsigned int i = 0; i < dim; ++i)
+            {
+              for (unsigned int j = 0; j < dim; ++j)
+                {
+                  NodeNumbers sums;
+                  for (unsigned int q = 0; q < n_points; ++q)
+                    sums.add(points[q].quadratic_gradient[a][j], fluxes[q][i]);
+                  velocity[i][j][a] = sums;
+                }
+              component[a].add(1., velocity[i][i][a]);
+            }
+          for (unsigned int i = 0; i < dim; ++i)
+            velocity[i][i][a].add(1., component[a]);
+        }
+    }
+
+    void
+    add_known_stress(const typename CellValues<dim>::PointValues &point,
+                     const dealii::SymmetricTensor<2, dim>       &stress)
+    {
+      const dealii::SymmetricTensor<2, dim> weighted = point.JxW * stress;
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        {
+          rhs[a] -= weighted * point.quadratic_gradient[a];
           node_volume[a] += point.JxW * point.quadratic[a];
         }
+    }
 
-      for (unsigned int v = 0; v < n_vertices; ++v)
-        for (unsigned int b = 0; b < n_nodes; ++b)
-          divergence[v][b] -=
-            point.JxW * point.linear[v] * point.quadratic_gradient[b];
-
-      const double fluidity = dim / dealii::trace(coefficients.viscosity);
+    void
+    add_divergence(const typename CellValues<dim>::PointValues &point)
+    {
       for (unsigned int v = 0; v < n_vertices; ++v)
         {
-          volume[v] += point.JxW * point.linear[v];
-          for (unsigned int w = 0; w < n_vertices; ++w)
-            mass[v][w] +=
-              point.JxW * fluidity * point.linear[v] * point.linear[w];
+          const double weight = point.JxW * point.linear[v];
+          volume[v] += weight;
+          for (unsigned int b = 0; b < n_nodes; ++b)
+            divergence[v][b] -= weight * point.quadratic_gradient[b];
         }
+    }
+
+    void
+    add_mass(const typename CellValues<dim>::PointValues &point,
+             const double                                 fluidity)
+    {
+      for (unsigned int v = 0; v < n_vertices; ++v)
+        for (unsigned int w = 0; w < n_vertices; ++w)
+          mass[v][w] +=
+            point.JxW * fluidity * point.linear[v] * point.linear[w];
     }
 
     /// int k (B:D(u)) (B:D(v)) at one point.
@@ -118,16 +180,19 @@ namespace Catena
     add_tangent(const typename CellValues<dim>::PointValues &point,
                 const StressCoefficients<dim>               &coefficients)
     {
-      const double weight = point.JxW * coefficients.tangent_factor;
-      std::array<dealii::Tensor<1, dim>, n_nodes> traction;
+      std::array<NodeNumbers, dim> tractions;
       for (unsigned int a = 0; a < n_nodes; ++a)
-        traction[a] = coefficients.tangent * point.quadratic_gradient[a];
-      for (unsigned int a = 0; a < n_nodes; ++a)
-        for (unsigned int b = 0; b < n_nodes; ++b)
+        {
+          const dealii::Tensor<1, dim> traction =
+            coefficients.tangent * point.quadratic_gradient[a];
           for (unsigned int i = 0; i < dim; ++i)
-            for (unsigned int j = 0; j < dim; ++j)
-              velocity[a][b][dim * i + j] +=
-                weight * traction[a][i] * traction[b][j];
+            tractions[i].set(a, traction[i]);
+        }
+      const double weight = point.JxW * coefficients.tangent_factor;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            velocity[i][j][a].add(weight * tractions[i][a], tractions[j]);
     }
 
     void
@@ -154,8 +219,12 @@ namespace Catena
         for (unsigned int b = 0; b < n_nodes; ++b)
           for (unsigned int i = 0; i < dim; ++i)
             for (unsigned int j = 0; j < dim; ++j)
-              rhs[a][i] -= velocity[a][b][dim * i + j] * couplings[b]->known[j];
+              rhs[a][i] -= velocity[i][j][a][b] * couplings[b]->known[j];
     }
+
+  private:
+    /// by point and component, H grad of the shape functions times the weight
+    std::vector<std::array<NodeNumbers, dim>> fluxes;
   };
 } // namespace Catena
 

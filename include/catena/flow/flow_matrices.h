@@ -6,6 +6,7 @@
 #include <catena/flow/block_product.h>
 #include <catena/flow/flow_element.h>
 #include <catena/flow/node_couplings.h>
+#include <catena/flow/rigid_product.h>
 #include <catena/flow/stress_model.h>
 #include <catena/particles/rigid_bodies.h>
 
@@ -90,10 +91,12 @@ namespace Catena
       velocity_rigid, rigid_velocity_transposed, pressure_rigid;
     dealii::FullMatrix<double> rigid_rigid;
 
-    /// Products with the large blocks.
+    /// Products with the large blocks, and with C, R^T and D.
     BlockProduct<dim, dim> velocity_product;
     BlockProduct<dim, 1>   gradient_product;
     BlockProduct<1, dim>   divergence_product;
+    RigidProduct           velocity_rigid_product, rigid_velocity_product,
+      pressure_rigid_product;
 
     /// Right-hand sides f, g; h is the same on every rank.
     VectorType          velocity_rhs, pressure_rhs;
@@ -179,7 +182,7 @@ namespace Catena
     add_right_hand_side(const FlowElement<dim> &element);
 
     void
-    add_preconditioner(const FlowElement<dim> &element);
+    add_preconditioner(const FlowElement<dim> &element, const Offsets &offset);
 
     void
     finish(const std::vector<NodeCoupling<dim>> &couplings,

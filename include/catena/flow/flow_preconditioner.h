@@ -78,7 +78,7 @@ namespace Catena
     std::vector<VectorType>    rigid_responses;
     dealii::FullMatrix<double> rigid_schur, small_inverse;
 
-    mutable VectorType velocity_src, pressure_dst, pressure_src, rigid_src;
+    mutable VectorType velocity_src, pressure_dst, pressure_src;
 
     void
     solve_velocity(VectorType &dst, const VectorType &src) const;
