@@ -1,6 +1,6 @@
 #include <catena/conformation/conformation_change.h>
+#include <catena/mesh/cell_fields.h>
 #include <catena/mesh/quality.h>
-#include <catena/mesh/vertex_tensors.h>
 #include <catena/rheology/spectral.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,7 +1,7 @@
 #include <catena/base/exceptions.h>
 #include <catena/conformation/conformation_solver.h>
+#include <catena/mesh/cell_fields.h>
 #include <catena/mesh/cell_values.h>
-#include <catena/mesh/vertex_tensors.h>
 #include <catena/rheology/spectral.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -133,6 +133,10 @@ namespace Catena
         const unsigned int n_points = values.points().size();
         const auto         s        = vertex_tensors<dim>(cell, old);
         const auto         s_old    = vertex_tensors<dim>(cell, older);
+        const auto         u        = node_vectors<dim>(cell, velocity);
+        auto against_mesh           = node_vectors<dim>(cell, mesh_velocity);
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          against_mesh[a] = u[a] - against_mesh[a];
 
         extrapolated.assign(n_points, SymmetricTensor<2, dim>());
         for (unsigned int q = 0; q < n_points; ++q)
@@ -146,19 +150,9 @@ namespace Catena
         std::array<SymmetricTensor<2, dim>, n_vertices>        rhs;
         for (unsigned int q = 0; q < n_points; ++q)
           {
-            const auto    &point = values.points()[q];
-            Tensor<1, dim> w;
-            Tensor<2, dim> L;
-            Point<dim>     x;
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              for (unsigned int d = 0; d < dim; ++d)
-                {
-                  const unsigned int dof = dim * cell.nodes[a] + d;
-                  w[d] +=
-                    point.quadratic[a] * (velocity(dof) - mesh_velocity(dof));
-                  L[d] += velocity(dof) * point.quadratic_gradient[a];
-                  x[d] += point.quadratic[a] * positions[a][d];
-                }
+            const auto          &point = values.points()[q];
+            const Tensor<1, dim> w     = value_at<dim>(point, against_mesh);
+            const Tensor<2, dim> L     = gradient_at<dim>(point, u);
 
             SymmetricTensor<2, dim> history;
             for (unsigned int v = 0; v < n_vertices; ++v)
@@ -170,7 +164,12 @@ namespace Catena
               history + model.log_conformation_rate(L, spectra[q]) +
               relaxation * extrapolated[q];
             if (source)
-              known += source(x);
+              {
+                Point<dim> x;
+                for (unsigned int a = 0; a < n_nodes; ++a)
+                  x += point.quadratic[a] * Tensor<1, dim>(positions[a]);
+                known += source(x);
+              }
 
             // 2|w|/h for the element length h along w
             double                         crossing_rate = 0.;

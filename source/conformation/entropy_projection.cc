@@ -1,6 +1,6 @@
 #include <catena/base/exceptions.h>
 #include <catena/conformation/entropy_projection.h>
-#include <catena/mesh/vertex_tensors.h>
+#include <catena/mesh/cell_fields.h>
 #include <catena/rheology/spectral.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,6 +1,6 @@
 #include <catena/base/exceptions.h>
 #include <catena/conformation/strain_rate_projection.h>
-#include <catena/mesh/vertex_tensors.h>
+#include <catena/mesh/cell_fields.h>
 
 #include <deal.II/lac/solver_cg.h>
 
@@ -115,16 +115,13 @@ namespace Catena
     for (const auto &cell : mesh.cells())
       {
         values.reinit(mesh.cell_positions(cell, mesh.positions()), cell.curved);
+        const auto u = node_vectors<dim>(cell, velocity);
         std::array<SymmetricTensor<2, dim>, n_vertices> sums;
         for (const auto &point : values.points())
           {
-            Tensor<2, dim> L;
-            for (unsigned int a = 0; a < MovingMesh<dim>::n_nodes; ++a)
-              for (unsigned int d = 0; d < dim; ++d)
-                L[d] += velocity(dim * cell.nodes[a] + d) *
-                        point.quadratic_gradient[a];
+            const auto D = symmetrize(gradient_at<dim>(point, u));
             for (unsigned int v = 0; v < n_vertices; ++v)
-              sums[v] += point.JxW * point.linear[v] * symmetrize(L);
+              sums[v] += point.JxW * point.linear[v] * D;
           }
         for (unsigned int v = 0; v < n_vertices; ++v)
           add(rhs, cell.vertices[v], sums[v]);

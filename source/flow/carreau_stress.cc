@@ -1,4 +1,5 @@
 #include <catena/flow/carreau_stress.h>
+#include <catena/mesh/cell_fields.h>
 
 namespace Catena
 {
@@ -22,19 +23,13 @@ namespace Catena
     const CellValues<dim>                &values,
     std::vector<StressCoefficients<dim>> &coefficients) const
   {
-    std::array<Tensor<1, dim>, MovingMesh<dim>::n_nodes> u;
-    for (unsigned int a = 0; a < MovingMesh<dim>::n_nodes; ++a)
-      for (unsigned int d = 0; d < dim; ++d)
-        u[a][d] = velocity(dim * cell.nodes[a] + d);
-
+    const auto u = node_vectors<dim>(cell, velocity);
     coefficients.assign(values.points().size(), StressCoefficients<dim>());
     for (unsigned int q = 0; q < coefficients.size(); ++q)
       {
-        Tensor<2, dim> L;
-        for (unsigned int a = 0; a < MovingMesh<dim>::n_nodes; ++a)
-          L += outer_product(u[a], values.points()[q].quadratic_gradient[a]);
-        const SymmetricTensor<2, dim> rate         = symmetrize(L);
-        const double                  rate_squared = 2. * (rate * rate);
+        const SymmetricTensor<2, dim> rate =
+          symmetrize(gradient_at<dim>(values.points()[q], u));
+        const double rate_squared = 2. * (rate * rate);
 
         StressCoefficients<dim> &c = coefficients[q];
         c.viscosity =

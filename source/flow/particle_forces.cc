@@ -1,4 +1,5 @@
 #include <catena/flow/particle_forces.h>
+#include <catena/mesh/cell_fields.h>
 
 namespace Catena
 {
@@ -32,21 +33,16 @@ namespace Catena
         const auto positions = mesh.cell_positions(cell, mesh.positions());
         values.reinit(positions, cell.curved);
         stress.evaluate(cell, values, coefficients);
+        const auto u = node_vectors<dim>(cell, fields.velocity);
         for (unsigned int q = 0; q < coefficients.size(); ++q)
           {
-            const auto    &point = values.points()[q];
-            Tensor<2, dim> velocity_gradient;
-            for (unsigned int a = 0; a < mesh.n_nodes; ++a)
-              for (unsigned int d = 0; d < dim; ++d)
-                velocity_gradient[d] +=
-                  fields.velocity(dim * cell.nodes[a] + d) *
-                  point.quadratic_gradient[a];
-            double pressure = 0.;
+            const auto &point    = values.points()[q];
+            double      pressure = 0.;
             for (unsigned int v = 0; v < mesh.n_vertices; ++v)
               pressure += fields.pressure(cell.vertices[v]) * point.linear[v];
 
             const SymmetricTensor<2, dim> total =
-              coefficients[q].stress(velocity_gradient) -
+              coefficients[q].stress(gradient_at<dim>(point, u)) -
               pressure * unit_symmetric_tensor<dim>();
             for (unsigned int a = 0; a < mesh.n_nodes; ++a)
               {

@@ -45,6 +45,7 @@ namespace Catena
     const bool            has_previous  = step.has_previous();
     const auto            s = vertex_tensors<dim>(cell, log_conformation);
     const auto s_old        = vertex_tensors<dim>(cell, old_log_conformation);
+    const auto convections  = node_vectors<dim>(cell, convection);
     const auto identity     = unit_symmetric_tensor<dim>();
 
     // at each point s^n, and in a step that has a previous one s^ and s^(n-1)
@@ -74,11 +75,8 @@ namespace Catena
     coefficients.resize(n_points);
     for (unsigned int q = 0; q < n_points; ++q)
       {
-        const auto    &point = values.points()[q];
-        Tensor<1, dim> w;
-        for (unsigned int a = 0; a < MovingMesh<dim>::n_nodes; ++a)
-          for (unsigned int d = 0; d < dim; ++d)
-            w[d] += convection(dim * cell.nodes[a] + d) * point.quadratic[a];
+        const auto             &point = values.points()[q];
+        const Tensor<1, dim>    w     = value_at<dim>(point, convections);
         SymmetricTensor<2, dim> s_hat_along_w;
         for (unsigned int v = 0; v < MovingMesh<dim>::n_vertices; ++v)
           s_hat_along_w +=

@@ -2,10 +2,10 @@
 #define catena_tests_conformation_fields_h
 
 #include <catena/base/types.h>
+#include <catena/mesh/cell_fields.h>
 #include <catena/mesh/cell_values.h>
 #include <catena/mesh/mesher.h>
 #include <catena/mesh/moving_mesh.h>
-#include <catena/mesh/vertex_tensors.h>
 #include <catena/scene/scene.h>
 
 #include <deal.II/base/mpi.h>

@@ -3,7 +3,7 @@
 
 #include <catena/base/time_history.h>
 #include <catena/flow/stress_model.h>
-#include <catena/mesh/vertex_tensors.h>
+#include <catena/mesh/cell_fields.h>
 #include <catena/rheology/giesekus.h>
 
 #include <vector>
