@@ -1,5 +1,6 @@
 #include <catena/base/exceptions.h>
 #include <catena/base/program_options.h>
+#include <catena/output/progress.h>
 #include <catena/output/trajectory_table.h>
 #include <catena/simulation/checkpoint.h>
 #include <catena/simulation/steady_sweep.h>
@@ -49,6 +50,7 @@ namespace Catena
     // an overshoot has no slope at its peak: look at a longer time than its own
     , window(1. + 2. * parameters.fluid.giesekus.weissenberg_number)
     , steady_at_once(!parameters.viscoelastic())
+    , begin(wall_clock())
   {}
 
 
@@ -89,6 +91,7 @@ namespace Catena
   {
     const MovingMesh<dim> &mesh = simulation.mesh();
 
+    last.seconds  = earlier_seconds + wall_clock() - begin;
     last.value    = quantity.value(simulation);
     last.strain   = simulation.strain();
     last.elements = mesh.n_global_cells();
@@ -100,7 +103,6 @@ namespace Catena
       {
         add(last.strain, last.value);
         ++last.steps;
-        last.seconds += step.seconds;
         last.extremes = step.extremes;
       }
     last.change = change();
@@ -123,6 +125,8 @@ namespace Catena
             last.seconds,
             last.extremes.smallest_eigenvalue,
             last.extremes.largest_trace);
+    if (archive.is_loading())
+      earlier_seconds = last.seconds;
     if (strains.size() != values.size())
       throw CheckpointError("it has strains without a value");
   }

@@ -66,7 +66,7 @@ namespace Catena
       /// strain at which the run ended
       double       strain = 0.;
       unsigned int steps = 0, elements = 0, unknowns = 0;
-      /// of all steps
+      /// wall time, also of the runs that were resumed
       double               seconds = 0.;
       ConformationExtremes extremes;
     };
@@ -81,6 +81,8 @@ namespace Catena
     const SteadyQuantity<dim> quantity;
     const double              tolerance, window;
     const bool                steady_at_once;
+    const double              begin; ///< on the clock
+    double                    earlier_seconds = 0.;
 
     /// over the window
     std::vector<double> strains, values;
