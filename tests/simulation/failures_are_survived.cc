@@ -2,6 +2,8 @@
 // the run goes on and ends where it would have ended. What fails again and
 // again ends the run with a message that names strain, cause and checkpoint,
 // and with all tables readable; it goes on from there when the cause has gone.
+// Not for a Debug build, in which deal.II ends the program at the first value that
+// is not finite.
 
 #include <catena/simulation/run.h>
 
