@@ -26,6 +26,15 @@ endif()
 string(REPLACE "-O2" "-O3" DEAL_II_CXX_FLAGS_RELEASE
   "${DEAL_II_CXX_FLAGS_RELEASE}")
 
+# Debug checks more and steps through the code, but need not crawl. The traces of
+# sanitizers ask for line numbers alone, which compile much faster.
+string(REPLACE "-O0" "-Og" DEAL_II_CXX_FLAGS_DEBUG
+  "${DEAL_II_CXX_FLAGS_DEBUG}")
+if(CATENA_SANITIZE)
+  string(REPLACE "-ggdb" "-g1" DEAL_II_CXX_FLAGS_DEBUG
+    "${DEAL_II_CXX_FLAGS_DEBUG}")
+endif()
+
 # deal_ii_setup_target() uses the plain signature of target_link_libraries(),
 # so what follows must as well.
 function(catena_setup_library target)

@@ -1,14 +1,10 @@
 #include <catena/base/checked_file.h>
 #include <catena/base/exceptions.h>
+#include <catena/base/whole_file.h>
 
 #include <boost/crc.hpp>
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -69,39 +65,6 @@ namespace Catena
     {
       throw CheckpointError("Checkpoint '" + path + "' " + reason);
     }
-
-
-
-    bool
-    write_all(const int file, const std::string &bytes)
-    {
-      for (std::size_t done = 0; done < bytes.size();)
-        {
-          const ssize_t n =
-            ::write(file, bytes.data() + done, bytes.size() - done);
-          if (n < 0 && errno != EINTR)
-            return false;
-          done += n > 0 ? n : 0;
-        }
-      return true;
-    }
-
-
-
-    /// A new name lasts when the directory is on the disk as well.
-    bool
-    sync_directory(const std::string &path)
-    {
-      const std::string folder =
-        std::filesystem::absolute(path).parent_path().string();
-      const int directory = open(folder.c_str(), O_RDONLY | O_DIRECTORY);
-      if (directory < 0)
-        return false;
-      // some file systems cannot do this, and need not
-      const bool good = fsync(directory) == 0 || errno == EINVAL;
-      close(directory);
-      return good;
-    }
   } // namespace
 
 
@@ -111,29 +74,13 @@ namespace Catena
                      const unsigned int version,
                      const std::string &content)
   {
-    const std::string draft = path + ".part";
-    const int file = open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    bool      good = file >= 0 && write_all(file, header(version, content)) &&
-                write_all(file, content) && fsync(file) == 0;
-    int error = errno;
-    if (file >= 0 && close(file) != 0 && good)
-      {
-        good  = false;
-        error = errno;
-      }
-    if (good)
-      {
-        good =
-          std::rename(draft.c_str(), path.c_str()) == 0 && sync_directory(path);
-        error = errno;
-      }
-    if (!good)
-      {
-        std::remove(draft.c_str());
-        fail(path,
-             std::string("cannot be written (") + std::strerror(error) +
-               "): make room on the disk or check the permissions");
-      }
+    const int error = WholeFile::write(path, [&](std::ostream &file) {
+      file << header(version, content) << content;
+    });
+    if (error != 0)
+      fail(path,
+           std::string("cannot be written (") + std::strerror(error) +
+             "): make room on the disk or check the permissions");
   }
 
 

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <new>
 #include <sstream>
 
 namespace Catena
@@ -50,5 +51,33 @@ namespace Catena
     if (begin == std::string::npos || end == std::string::npos)
       return "";
     return squeeze(text.substr(begin + mark.size(), end - begin - mark.size()));
+  }
+
+
+
+  std::string
+  present_error_text()
+  {
+    try
+      {
+        throw;
+      }
+    catch (const std::bad_alloc &)
+      {
+        return "out of memory: use a coarser mesh or a larger machine";
+      }
+    catch (const std::exception &error)
+      {
+        const std::string place = error_place(error);
+        return error_text(error) + (place.empty() ? "" : " (" + place + ")");
+      }
+    catch (const std::string &error) // thrown by gmsh
+      {
+        return "mesh generator: " + squeeze(error);
+      }
+    catch (...)
+      {
+        return "unknown exception";
+      }
   }
 } // namespace Catena

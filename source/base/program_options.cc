@@ -1,18 +1,15 @@
+#include <catena/base/all_arrive.h>
 #include <catena/base/error_text.h>
 #include <catena/base/exceptions.h>
 #include <catena/base/parameter_file.h>
 #include <catena/base/program_options.h>
 
-#include <deal.II/base/exceptions.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <new>
-#include <thread>
 
 namespace Catena
 {
@@ -23,9 +20,6 @@ namespace Catena
     constexpr int exit_failed  = 1;
     constexpr int exit_refused = 2;
     constexpr int exit_signal  = 128;
-
-    /// How long a process that failed waits for the others to fail as well.
-    constexpr std::chrono::seconds patience(5);
 
 
 
@@ -103,29 +97,6 @@ namespace Catena
 
 
     /**
-     * Wait until all processes have failed. If some go on, they would wait
-     * forever for those that failed.
-     */
-    bool
-    all_failed()
-    {
-      MPI_Request request;
-      int         done = 0;
-      MPI_Ibarrier(MPI_COMM_WORLD, &request);
-      const auto deadline = std::chrono::steady_clock::now() + patience;
-      do
-        {
-          MPI_Test(&request, &done, MPI_STATUS_IGNORE);
-          if (!done)
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        }
-      while (!done && std::chrono::steady_clock::now() < deadline);
-      return done;
-    }
-
-
-
-    /**
      * Print @p message once, and end the other processes if they do not know.
      */
     int
@@ -135,7 +106,7 @@ namespace Catena
         Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
       std::cout << std::flush;
 
-      const bool together = all_failed();
+      const bool together = all_arrive(MPI_COMM_WORLD);
       if (rank == 0)
         std::cerr << "Error: " << message << std::endl;
       else if (!together)
@@ -269,37 +240,21 @@ namespace Catena
           std::cerr << end.what() << std::endl;
         return exit_signal + end.signal;
       }
-    catch (const InputError &error)
+    catch (const InputError &)
       {
-        return fail(error_text(error), exit_refused);
+        return fail(present_error_text(), exit_refused);
       }
-    catch (const CheckpointError &error)
+    catch (const CheckpointError &)
       {
-        return fail(error_text(error), exit_refused);
+        return fail(present_error_text(), exit_refused);
       }
-    catch (const ParameterFileError &error)
+    catch (const ParameterFileError &)
       {
-        return fail(error_text(error), exit_refused);
-      }
-    catch (const std::bad_alloc &)
-      {
-        return fail("out of memory: use a coarser mesh or a larger machine",
-                    exit_failed);
-      }
-    catch (const std::exception &error)
-      {
-        const std::string place = error_place(error);
-        return fail(error_text(error) +
-                      (place.empty() ? "" : " (" + place + ")"),
-                    exit_failed);
-      }
-    catch (const std::string &error) // thrown by gmsh
-      {
-        return fail("mesh generator: " + squeeze(error), exit_failed);
+        return fail(present_error_text(), exit_refused);
       }
     catch (...)
       {
-        return fail("unknown exception", exit_failed);
+        return fail(present_error_text(), exit_failed);
       }
   }
 

@@ -571,6 +571,9 @@ namespace Catena
         if (pressure_master(vertex) != vertex)
           fix(mass_access, vertex);
 
+    // nothing moves, and a matrix without entries has no sum
+    if (bodies.n_unknowns() == 0)
+      return;
     Utilities::MPI::sum(rigid_rhs, mesh.communicator(), rigid_rhs);
     Utilities::MPI::sum(rigid_rigid, mesh.communicator(), rigid_rigid);
     for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)

@@ -1,4 +1,5 @@
 #include <catena/base/exceptions.h>
+#include <catena/base/whole_file.h>
 #include <catena/output/field_output.h>
 #include <catena/rheology/spectral.h>
 
@@ -8,9 +9,7 @@
 #include <deal.II/numerics/data_out.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <tuple>
 
@@ -126,23 +125,25 @@ namespace Catena
 
 
 
+    /// @return whether that was possible, the same on all processes
     template <int dim>
-    void
+    bool
     write_vtu(const TensorDataOut<dim> &data_out,
               const std::string        &path,
               const MPI_Comm            communicator)
     {
-      if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+      int error = 0;
+      if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+        error = WholeFile::write(path, [&](std::ostream &file) {
+          data_out.write_vtu(file);
+        });
+      else
         {
-          data_out.write_vtu_in_parallel(path, communicator);
-          return;
+          data_out.write_vtu_in_parallel(WholeFile::draft(path), communicator);
+          if (Utilities::MPI::this_mpi_process(communicator) == 0)
+            error = WholeFile::publish(path);
         }
-
-      std::ofstream file(path);
-      data_out.write_vtu(file);
-      file.close();
-      if (!file)
-        throw Error("no access or no space");
+      return Utilities::MPI::broadcast(communicator, error) == 0;
     }
 
 
@@ -229,14 +230,17 @@ namespace Catena
                              Utilities::int_to_string(files.size() + 1, 4) +
                              ".vtu";
     const std::string path = directory + "/" + name;
+    bool              good = false;
     try
       {
-        write_vtu(data_out, path, communicator);
+        good = write_vtu(data_out, path, communicator);
       }
-    catch (const std::exception &)
-      {
-        throw Error("File '" + path + "' cannot be written: is the disk full?");
-      }
+    catch (const ExcIO &)
+      {}
+    catch (const ExcMPI &)
+      {}
+    if (!good)
+      throw Error("File '" + path + "' cannot be written: is the disk full?");
 
     files.emplace_back(strain, name);
     write_record();
@@ -271,11 +275,9 @@ namespace Catena
   {
     const std::string path = directory + "/" + basename + ".pvd";
 
-    bool good = true;
+    int error = 0;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      {
-        const std::string draft = path + ".part";
-        std::ofstream     file(draft);
+      error = WholeFile::write(path, [&](std::ostream &file) {
         file << "<?xml version=\"1.0\"?>\n"
              << "<VTKFile type=\"Collection\" version=\"0.1\">\n"
              << "  <Collection>\n";
@@ -284,11 +286,9 @@ namespace Catena
           file << "    <DataSet timestep=\"" << strain
                << "\" group=\"\" part=\"0\" file=\"" << name << "\"/>\n";
         file << "  </Collection>\n</VTKFile>\n";
-        file.close();
-        good = file && std::rename(draft.c_str(), path.c_str()) == 0;
-      }
+      });
 
-    if (!Utilities::MPI::broadcast(communicator, good, 0))
+    if (Utilities::MPI::broadcast(communicator, error) != 0)
       throw Error("File '" + path + "' cannot be written: is the disk full?");
   }
 

@@ -1,4 +1,5 @@
 #include <catena/base/exceptions.h>
+#include <catena/base/whole_file.h>
 #include <catena/output/progress.h>
 #include <catena/output/run_report.h>
 
@@ -232,15 +233,10 @@ namespace Catena
     const std::string path = directory + "/run_report.txt";
     const std::string text = table();
 
-    bool good = true;
+    int error = 0;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      {
-        std::ofstream file(path);
-        file << text;
-        file.close();
-        good = file.good();
-      }
-    if (!Utilities::MPI::broadcast(communicator, good, 0))
+      error = WholeFile::write(path, [&](std::ostream &file) { file << text; });
+    if (Utilities::MPI::broadcast(communicator, error) != 0)
       throw Error("File '" + path + "' cannot be written: is the disk full?");
   }
 

@@ -45,6 +45,7 @@ namespace Catena
 
 
 
+  template <>
   Scene<2>
   ConfinedCylinderParameters::scene() const
   {

@@ -88,6 +88,16 @@ namespace Catena
 
 
 
+  bool
+  Checkpoint::exists() const
+  {
+    return Utilities::MPI::broadcast(communicator,
+                                     std::filesystem::exists(slot(0)) ||
+                                       std::filesystem::exists(slot(1)));
+  }
+
+
+
   void
   Checkpoint::clear()
   {

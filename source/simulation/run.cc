@@ -1,3 +1,5 @@
+#include <catena/base/all_arrive.h>
+#include <catena/base/error_text.h>
 #include <catena/base/program_options.h>
 #include <catena/output/progress.h>
 #include <catena/simulation/checkpoint.h>
@@ -125,7 +127,8 @@ namespace Catena
       Run(const Scene<dim>           &scene,
           const SimulationParameters &parameters,
           const std::string          &directory,
-          const MPI_Comm              communicator)
+          const MPI_Comm              communicator,
+          Ending<dim>                *ending)
         : simulation(scene, parameters, communicator)
         , identity(scene, parameters)
         , parameters(parameters)
@@ -134,6 +137,7 @@ namespace Catena
         , has_line(scene.line)
         , checkpoint(directory, communicator)
         , clock(parameters.checkpoint, communicator)
+        , ending(ending)
       {}
 
       Simulation<dim> simulation;
@@ -147,9 +151,9 @@ namespace Catena
       void
       go_on();
 
-      /// @p error with where it happened, and how to go on.
-      Error
-      in_context(const Error &error) const;
+      /// @p message with where it happened, and how to go on.
+      std::string
+      in_context(const std::string &message) const;
 
       void
       report_failure();
@@ -167,6 +171,7 @@ namespace Catena
       HealthWatch                         health;
       Checkpoint                          checkpoint;
       CheckpointClock                     clock;
+      Ending<dim> *const                  ending;
 
       std::string
       table_path() const
@@ -191,6 +196,9 @@ namespace Catena
 
       void
       answer(const Signals &signals);
+
+      bool
+      is_finished(const StepReport &step) const;
     };
 
 
@@ -260,6 +268,8 @@ namespace Catena
       simulation.archive(archive);
       TrajectoryTable::Position position;
       archive(position, health);
+      if (ending != nullptr)
+        ending->archive(archive);
       simulation.report().archive(archive);
       trajectory = std::make_unique<Trajectory<dim>>(table_path(),
                                                      simulation,
@@ -286,6 +296,8 @@ namespace Catena
       archive(mine);
       simulation.archive(archive);
       archive(position, health);
+      if (ending != nullptr)
+        ending->archive(archive);
       simulation.report().archive(archive);
       fields->archive(archive, simulation.strain());
       checkpoint.write(archive.bytes(), simulation.strain());
@@ -357,19 +369,28 @@ namespace Catena
 
 
     template <int dim>
+    bool
+    Run<dim>::is_finished(const StepReport &step) const
+    {
+      const bool ended = ending != nullptr && ending->reached(simulation, step);
+      return ended || simulation.strain() >= parameters.final_strain - 1e-9;
+    }
+
+
+
+    template <int dim>
     void
     Run<dim>::go_on()
     {
       const Signals signals;
-      const auto    is_finished = [&]() {
-        return simulation.strain() >= parameters.final_strain - 1e-9;
-      };
-      const bool nothing_to_do = is_finished();
-      while (!is_finished())
+      bool          finished      = is_finished(StepReport());
+      const bool    nothing_to_do = finished;
+      while (!finished)
         {
           const StepReport step = simulation.advance();
           record(step);
           show(step);
+          finished = is_finished(step);
           answer(signals);
         }
       progress->finish();
@@ -382,18 +403,17 @@ namespace Catena
 
 
     template <int dim>
-    Error
-    Run<dim>::in_context(const Error &error) const
+    std::string
+    Run<dim>::in_context(const std::string &message) const
     {
       std::ostringstream text;
-      const std::string  message = error.what();
       text << "At strain " << simulation.strain() << ": " << message
            << (message.empty() || message.back() != '.' ? "." : "");
       if (checkpoint.strain())
         text << " The last checkpoint is that of strain "
              << *checkpoint.strain()
              << ": run again with --resume to go on from there.";
-      return Error(text.str());
+      return text.str();
     }
 
 
@@ -405,6 +425,9 @@ namespace Catena
     {
       if (progress)
         progress->finish();
+      // a process that fails alone gets no answer from the others
+      if (!all_arrive(communicator))
+        return;
       try
         {
           simulation.report().write(directory);
@@ -424,9 +447,10 @@ namespace Catena
                  const SimulationParameters                   &parameters,
                  const RunOptions                             &options,
                  const MPI_Comm                                communicator,
+                 Ending<dim>                                  *ending,
                  const std::function<void(Simulation<dim> &)> &prepare)
   {
-    Run<dim> run(scene, parameters, options.directory, communicator);
+    Run<dim> run(scene, parameters, options.directory, communicator, ending);
     if (options.resume)
       run.resume();
     else
@@ -446,10 +470,11 @@ namespace Catena
         run.report_failure();
         throw;
       }
-    catch (const Error &error)
+    catch (...)
       {
+        const Error error(run.in_context(present_error_text()));
         run.report_failure();
-        throw run.in_context(error);
+        throw error;
       }
   }
 
@@ -460,11 +485,13 @@ namespace Catena
                     const SimulationParameters &,
                     const RunOptions &,
                     const MPI_Comm,
+                    Ending<2> *,
                     const std::function<void(Simulation<2> &)> &);
   template void
   run_simulation<3>(const Scene<3> &,
                     const SimulationParameters &,
                     const RunOptions &,
                     const MPI_Comm,
+                    Ending<3> *,
                     const std::function<void(Simulation<3> &)> &);
 } // namespace Catena

@@ -199,7 +199,11 @@ namespace Catena
     const double begin      = wall_clock();
     StepReport   result;
     if (state.now.configuration.shear_rate != shear_rate())
-      result.flow_iterations = reverse_shear();
+      {
+        step_control.restart();
+        while (!reverse_shear(result))
+          run_report.count("rejected steps");
+      }
 
     Level<dim> next;
     while (!try_step(next, result))
@@ -342,13 +346,15 @@ namespace Catena
    * nothing about the next step. The stress of a viscoelastic fluid is the one
    * predicted with a step of first order.
    *
-   * @return number of iterations of the flow solver
+   * @return whether the flow was found; if not, the state is that before, and a
+   * shorter step is due
    */
   template <int dim>
-  unsigned int
-  Simulation<dim>::reverse_shear()
+  bool
+  Simulation<dim>::reverse_shear(StepReport &report)
   {
-    Level<dim> &now = state.now;
+    Level<dim>           &now    = state.now;
+    const FlowFields<dim> before = now.flow;
     now.configuration.shear_rate *= -1.;
     now.flow.velocity *= -1.;
     now.flow.pressure *= -1.;
@@ -358,12 +364,25 @@ namespace Catena
         motion.angular_velocity *= -1.;
       }
     now.flow.contact_forces.clear();
-    state.last_dt = 0.;
 
     TimeStep step;
-    step_control.restart();
     step.dt = step_control.next_step();
-    return solve_flow(now, step, mesh().vector_field());
+    try
+      {
+        report.flow_iterations += solve_flow(now, step, mesh().vector_field());
+        inject(StepPart::flow, now);
+        state.last_dt = 0.;
+        return true;
+      }
+    catch (const SolverError &error)
+      {
+        now.configuration.shear_rate *= -1.;
+        now.flow = before;
+        now.flow.velocity.update_ghost_values();
+        now.flow.pressure.update_ghost_values();
+        shorten_step(step, "a solver failed", error, report);
+      }
+    return false;
   }
 
 

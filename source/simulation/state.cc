@@ -37,6 +37,8 @@ namespace Catena
       layout.particles[i].centre = reference.centres[i];
     mover.reset();
     mesh = std::make_unique<MovingMesh<dim>>(communicator, layout, description);
+    if (!(mesh->quality() > 0.))
+      throw CheckpointError("its mesh is inverted");
     mover = std::make_unique<MeshMover<dim>>(*mesh, reference);
   }
 

@@ -1,11 +1,12 @@
 #include <catena/base/exceptions.h>
+#include <catena/base/program_options.h>
 #include <catena/output/progress.h>
 #include <catena/output/trajectory_table.h>
+#include <catena/simulation/checkpoint.h>
 #include <catena/simulation/steady_sweep.h>
-#include <catena/simulation/trajectory.h>
 
 #include <algorithm>
-#include <deque>
+#include <cmath>
 #include <iostream>
 #include <sstream>
 
@@ -40,102 +41,94 @@ namespace Catena
 
 
 
-  namespace
-  {
-    /**
-     * The values of a quantity over a last stretch of strain.
-     */
-    class Recent
-    {
-    public:
-      explicit Recent(const double window)
-        : window(window)
-      {}
-
-      void
-      add(const double strain, const double value)
-      {
-        values.emplace_back(strain, value);
-        while (values.size() > 1 && values[1].first <= strain - window + 1e-9)
-          values.pop_front();
-      }
-
-      /// Do the values span the window?
-      bool
-      is_full() const
-      {
-        return values.back().first - values.front().first > window - 1e-9;
-      }
-
-      /// Largest difference of two values.
-      double
-      change() const
-      {
-        const auto range =
-          std::minmax_element(values.begin(),
-                              values.end(),
-                              [](const auto &a, const auto &b) {
-                                return a.second < b.second;
-                              });
-        return range.second->second - range.first->second;
-      }
-
-    private:
-      const double                          window;
-      std::deque<std::pair<double, double>> values; // strain, value
-    };
-  } // namespace
+  template <int dim>
+  SteadyState<dim>::SteadyState(const SimulationParameters &parameters,
+                                const SteadyQuantity<dim>  &quantity,
+                                const double                tolerance)
+    : quantity(quantity)
+    , tolerance(tolerance)
+    // an overshoot has no slope at its peak: look at a longer time than its own
+    , window(1. + 2. * parameters.fluid.giesekus.weissenberg_number)
+    , steady_at_once(!parameters.viscoelastic())
+    , begin(wall_clock())
+  {}
 
 
 
   template <int dim>
-  SteadyResult
-  run_to_steady_state(const Scene<dim>           &scene,
-                      const SimulationParameters &parameters,
-                      const SteadyQuantity<dim>  &quantity,
-                      const double                tolerance,
-                      const std::string          &path,
-                      const MPI_Comm              communicator)
+  void
+  SteadyState<dim>::add(const double strain, const double value)
   {
-    Simulation<dim> simulation(scene, parameters, communicator);
-    simulation.initialize();
-    Trajectory<dim> trajectory(path, simulation, communicator);
-    trajectory.record(StepReport());
+    strains.push_back(strain);
+    values.push_back(value);
+    unsigned int n_old = 0;
+    while (n_old + 1 < strains.size() &&
+           strains[n_old + 1] <= strain - window + 1e-9)
+      ++n_old;
+    strains.erase(strains.begin(), strains.begin() + n_old);
+    values.erase(values.begin(), values.begin() + n_old);
+  }
 
-    SteadyResult result;
-    result.elements = simulation.mesh().n_global_cells();
-    result.unknowns = simulation.mesh().vector_dofs().n_dofs() +
-                      simulation.mesh().scalar_dofs().n_dofs();
-    result.value  = quantity.value(simulation);
-    result.strain = simulation.strain();
-    if (!parameters.viscoelastic())
-      return result;
 
-    result.unknowns +=
-      n_symmetric_components(dim) * simulation.mesh().scalar_dofs().n_dofs();
-    Progress progress(simulation.strain(),
-                      parameters.final_strain,
-                      communicator);
-    // an overshoot has no slope at its peak: look at a longer time than its own
-    Recent recent(1. + 2. * parameters.fluid.giesekus.weissenberg_number);
-    result.steady = false;
-    while (!result.steady &&
-           simulation.strain() < parameters.final_strain - 1e-9)
+
+  /// Largest difference of two values.
+  template <int dim>
+  double
+  SteadyState<dim>::change() const
+  {
+    if (values.empty())
+      return 0.;
+    const auto range = std::minmax_element(values.begin(), values.end());
+    return *range.second - *range.first;
+  }
+
+
+
+  template <int dim>
+  bool
+  SteadyState<dim>::reached(const Simulation<dim> &simulation,
+                            const StepReport      &step)
+  {
+    const MovingMesh<dim> &mesh = simulation.mesh();
+
+    last.seconds  = earlier_seconds + wall_clock() - begin;
+    last.value    = quantity.value(simulation);
+    last.strain   = simulation.strain();
+    last.elements = mesh.n_global_cells();
+    last.unknowns = mesh.vector_dofs().n_dofs() + mesh.scalar_dofs().n_dofs();
+    if (!steady_at_once)
+      last.unknowns +=
+        n_symmetric_components(dim) * mesh.scalar_dofs().n_dofs();
+    if (step.dt > 0.)
       {
-        const StepReport step = simulation.advance();
-        trajectory.record(step);
-        recent.add(simulation.strain(), quantity.value(simulation));
-        result.change = recent.change();
-        result.steady = recent.is_full() && result.change < tolerance;
-        ++result.steps;
-        result.extremes = step.extremes;
-        progress.update(
-          {simulation.strain(), {}, step.dt, step.flow_iterations});
+        add(last.strain, last.value);
+        ++last.steps;
+        last.extremes = step.extremes;
       }
-    progress.finish();
-    result.value  = quantity.value(simulation);
-    result.strain = simulation.strain();
-    return result;
+    last.change = change();
+    last.steady =
+      steady_at_once ||
+      (!strains.empty() && strains.back() - strains.front() > window - 1e-9 &&
+       last.change < tolerance);
+    return last.steady;
+  }
+
+
+
+  template <int dim>
+  void
+  SteadyState<dim>::archive(Archive &archive)
+  {
+    archive(strains,
+            values,
+            last.steps,
+            last.seconds,
+            last.extremes.smallest_eigenvalue,
+            last.extremes.largest_trace);
+    if (archive.is_loading())
+      earlier_seconds = last.seconds;
+    if (strains.size() != values.size())
+      throw CheckpointError("it has strains without a value");
   }
 
 
@@ -213,12 +206,84 @@ namespace Catena
 
   namespace
   {
+    /// The rates of @p sweep, or that of the fluid.
+    std::vector<double>
+    all_rates(const SteadySweepParameters &sweep,
+              SimulationParameters         parameters)
+    {
+      if (!sweep.rates.empty())
+        return sweep.rates;
+      return {parameters.fluid.model == Model::newtonian ? 0. :
+                                                           rate(parameters)};
+    }
+
+
+
+    /// Where the run at a rate is recorded.
+    std::string
+    folder(const std::string &directory, const double r)
+    {
+      std::ostringstream name;
+      name << directory << "/rate_" << r;
+      return name.str();
+    }
+
+
+
+    /**
+     * How the run at each rate begins: what has a checkpoint goes on from
+     * there, the others were not begun.
+     */
+    std::vector<RunOptions>
+    beginnings(const std::vector<double> &rates,
+               const RunOptions          &options,
+               const MPI_Comm             communicator)
+    {
+      std::vector<RunOptions> result;
+      bool                    any = false;
+      for (const double r : rates)
+        {
+          const std::string path = folder(options.directory, r);
+          const bool        known =
+            options.resume && Checkpoint(path, communicator).exists();
+          any |= known;
+          result.push_back({path, options.overwrite || options.resume, known});
+        }
+      if (options.resume && !any)
+        throw CheckpointError("There is no checkpoint in the folders of '" +
+                              options.directory +
+                              "': start without --resume, with --overwrite if "
+                              "it holds files");
+      return result;
+    }
+
+
+
     void
-    write_row(TrajectoryTable    &table,
-              const std::string  &name,
-              const double        r,
-              const SteadyResult &result,
-              const double        seconds)
+    declare_columns(TrajectoryTable   &table,
+                    const std::string &name,
+                    const std::string &unit)
+    {
+      table.declare("rate");
+      table.declare(name, unit);
+      table.declare("change", unit);
+      table.declare("steady");
+      table.declare("strain");
+      table.declare("smallest_eigenvalue_c");
+      table.declare("largest_trace_tau", "G");
+      for (const std::string counter : {"steps", "elements", "unknowns"})
+        table.declare(counter);
+      table.declare("seconds", "s");
+    }
+
+
+
+    template <typename Result>
+    void
+    write_row(TrajectoryTable   &table,
+              const std::string &name,
+              const double       r,
+              const Result      &result)
     {
       table.add("rate", r);
       table.add(name, result.value);
@@ -230,7 +295,7 @@ namespace Catena
       table.add("steps", result.steps);
       table.add("elements", result.elements);
       table.add("unknowns", result.unknowns);
-      table.add("seconds", seconds);
+      table.add("seconds", result.seconds);
       table.write_row();
     }
   } // namespace
@@ -243,66 +308,48 @@ namespace Catena
                const SimulationParameters  &parameters,
                const SteadySweepParameters &sweep,
                const SteadyQuantity<dim>   &quantity,
-               const std::string           &directory,
+               const RunOptions            &options,
                const MPI_Comm               communicator)
   {
-    TrajectoryTable table(directory + "/" + quantity.table + ".csv",
+    const std::vector<double> rates = all_rates(sweep, parameters);
+    const auto                begin = beginnings(rates, options, communicator);
+    if (!options.resume)
+      prepare_output_directory(options.directory,
+                               options.overwrite,
+                               communicator);
+    TrajectoryTable table(options.directory + "/" + quantity.table + ".csv",
                           communicator);
-    table.declare("rate");
-    table.declare(quantity.name, quantity.unit);
-    table.declare("change", quantity.unit);
-    table.declare("steady");
-    table.declare("strain");
-    table.declare("smallest_eigenvalue_c");
-    table.declare("largest_trace_tau", "G");
-    for (const std::string name : {"steps", "elements", "unknowns"})
-      table.declare(name);
-    table.declare("seconds", "s");
+    declare_columns(table, quantity.name, quantity.unit);
 
-    std::vector<double> rates = sweep.rates;
-    if (rates.empty())
+    const bool is_writer = Utilities::MPI::this_mpi_process(communicator) == 0;
+    for (unsigned int i = 0; i < rates.size(); ++i)
       {
-        SimulationParameters one = parameters;
-        rates.push_back(parameters.fluid.model == Model::newtonian ? 0. :
-                                                                     rate(one));
-      }
-    for (const double r : rates)
-      {
-        std::ostringstream name;
-        name << directory << "/trajectory_" << r << ".csv";
-        const double       begin = wall_clock();
-        const SteadyResult result =
-          run_to_steady_state<dim>(scene,
-                                   at_rate(parameters, r),
-                                   quantity,
-                                   sweep.tolerance,
-                                   name.str(),
-                                   communicator);
-        write_row(table, quantity.name, r, result, wall_clock() - begin);
-        if (Utilities::MPI::this_mpi_process(communicator) == 0)
-          std::cout << "rate " << r << ": " << quantity.name << " = "
-                    << result.value << ' ' << quantity.unit
-                    << (result.steady ? "" : ", not steady") << std::endl;
+        if (is_writer)
+          std::cout << "rate " << rates[i] << std::endl;
+        const SimulationParameters at = at_rate(parameters, rates[i]);
+        SteadyState<dim>           state(at, quantity, sweep.tolerance);
+        run_simulation<dim>(scene, at, begin[i], communicator, &state);
+        write_row(table, quantity.name, rates[i], state.result());
+        if (is_writer)
+          std::cout << "rate " << rates[i] << ": " << quantity.name << " = "
+                    << state.result().value << ' ' << quantity.unit
+                    << (state.result().steady ? "" : ", not steady")
+                    << std::endl;
       }
   }
 
 
 
-#define INSTANTIATE(dim)                                                         \
-  template SteadyQuantity<dim> rotation_rate();                                  \
-  template SteadyQuantity<dim> drag_coefficient();                               \
-  template SteadyResult        run_to_steady_state(const Scene<dim> &,           \
-                                                   const SimulationParameters &, \
-                                                   const SteadyQuantity<dim> &,  \
-                                                   const double,                 \
-                                                   const std::string &,          \
-                                                   const MPI_Comm);              \
-  template void                steady_sweep(const Scene<dim> &,                  \
-                                            const SimulationParameters &,        \
-                                            const SteadySweepParameters &,       \
-                                            const SteadyQuantity<dim> &,         \
-                                            const std::string &,                 \
-                                            const MPI_Comm);
+#define INSTANTIATE(dim)                                    \
+  template SteadyQuantity<dim> rotation_rate();             \
+  template SteadyQuantity<dim> drag_coefficient();          \
+  template class SteadyState<dim>;                          \
+  template void steady_sweep(const Scene<dim> &,            \
+                             const SimulationParameters &,  \
+                             const SteadySweepParameters &, \
+                             const SteadyQuantity<dim> &,   \
+                             const RunOptions &,            \
+                             const MPI_Comm);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

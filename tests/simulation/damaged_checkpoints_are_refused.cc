@@ -6,6 +6,8 @@
 #include <catena/base/error_text.h>
 #include <catena/simulation/run.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -311,6 +313,8 @@ namespace
 int
 main(int argc, char **argv)
 {
+  // a Debug build finds damage by its assertions as well
+  dealii::deal_II_exceptions::disable_abort_on_exception();
   return Tests::run(argc, argv, [](Tests::Claims &claims) {
     std::filesystem::remove_all(folder);
     run(run_parameters(), false);

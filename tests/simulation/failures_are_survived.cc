@@ -2,6 +2,8 @@
 // the run goes on and ends where it would have ended. What fails again and
 // again ends the run with a message that names strain, cause and checkpoint,
 // and with all tables readable; it goes on from there when the cause has gone.
+// Not for a Debug build, in which deal.II ends the program at the first value that
+// is not finite.
 
 #include <catena/simulation/run.h>
 
@@ -254,10 +256,20 @@ namespace
 
 
 
-  /// The message with which a run ends in which @p failure goes on happening.
+  using Injection = Simulation<2>::FailureInjection;
+
+
+
+  /// The message with which a run with an @p injection ends.
   std::string
-  end_of_run(const Failure *failure, const std::string &folder, bool resume)
+  end_of_run(const Injection   &injection,
+             const std::string &folder,
+             const bool         resume = false)
   {
+    if (!resume &&
+        dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::filesystem::remove_all(folder);
+    MPI_Barrier(MPI_COMM_WORLD);
     std::ostringstream dark;
     auto *const        screen = std::cout.rdbuf(dark.rdbuf());
     std::string        message;
@@ -267,13 +279,9 @@ namespace
                           parameters_of_run(),
                           {folder, false, resume},
                           MPI_COMM_WORLD,
+                          nullptr,
                           [&](Simulation<2> &simulation) {
-                            if (failure != nullptr)
-                              simulation.inject_failures(
-                                [=](const StepPart part, Level<2> &level) {
-                                  if (part == failure->part && level.time > 0.5)
-                                    failure->happens(level);
-                                });
+                            simulation.inject_failures(injection);
                           });
       }
     catch (const Error &error)
@@ -287,34 +295,103 @@ namespace
 
 
 
+  /// A failure that goes on for good ends the run at strain @p strain.
+  void
+  ends(Tests::Claims     &claims,
+       const std::string &name,
+       const std::string &strain,
+       const unsigned int rows,
+       const Injection   &injection)
+  {
+    static unsigned int number  = 0;
+    const std::string   folder  = "run_" + std::to_string(number++);
+    const std::string   message = end_of_run(injection, folder);
+    claims.holds(name + " for good: the message names strain and checkpoint",
+                 message.find("At strain " + strain) != std::string::npos &&
+                   message.find("checkpoint is that of strain 0.4:") !=
+                     std::string::npos &&
+                   message.find('\n') == std::string::npos);
+    claims.near(name + " for good: the rows so far are there",
+                n_rows(folder + "/trajectory.csv"),
+                rows,
+                0.);
+    claims.holds(name + " for good: goes on when it is mended",
+                 end_of_run({}, folder, true).empty());
+  }
+
+
+
   void
   test_end(Tests::Claims &claims)
   {
-    unsigned int number = 0;
     for (const Failure &failure : all_failures())
-      {
-        // inverted meshes are replaced again and again
-        if (failure.counter != failed_solver ||
-            failure.part == StepPart::mesh_generation)
-          continue;
-        const std::string folder = "run_" + std::to_string(number++);
-        if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-          std::filesystem::remove_all(folder);
-        MPI_Barrier(MPI_COMM_WORLD);
-        const std::string message = end_of_run(&failure, folder, false);
-        claims.holds(failure.name + " for good: the message names strain and "
-                                    "checkpoint",
-                     message.find("At strain 0.5") != std::string::npos &&
-                       message.find("checkpoint is that of strain 0.4:") !=
-                         std::string::npos &&
-                       message.find('\n') == std::string::npos);
-        claims.near(failure.name + " for good: the rows so far are there",
-                    n_rows(folder + "/trajectory.csv"),
-                    13.,
-                    0.);
-        claims.holds(failure.name + " for good: goes on when it is mended",
-                     end_of_run(nullptr, folder, true).empty());
-      }
+      // inverted meshes are replaced again and again
+      if (failure.counter == failed_solver &&
+          failure.part != StepPart::mesh_generation)
+        ends(claims,
+             failure.name,
+             "0.5",
+             13,
+             [&](const StepPart part, Level<2> &level) {
+               if (part == failure.part && level.time > 0.5)
+                 failure.happens(level);
+             });
+    ends(
+      claims, "no mesh", "0.5", 13, [](const StepPart part, Level<2> &level) {
+        if (level.time > 0.5 && part == StepPart::mesh_motion)
+          mirror(level);
+        if (level.time > 0.5 && part == StepPart::mesh_generation)
+          throw MeshError("The mesher was made to fail.");
+      });
+  }
+
+
+
+  /// The flow right after the walls have turned back is not found at once.
+  void
+  test_reversal(Tests::Claims &claims)
+  {
+    auto parameters             = parameters_of_run();
+    parameters.reversal_strains = {0.4};
+    const auto run = [&](const unsigned int n_failures, double &strain) {
+      Simulation<2> simulation(Tests::close_discs(),
+                               parameters,
+                               MPI_COMM_WORLD);
+      simulation.initialize();
+      unsigned int n = 0;
+      simulation.inject_failures([&](const StepPart part, Level<2> &level) {
+        if (part == StepPart::flow && level.time == simulation.strain() &&
+            n < n_failures)
+          {
+            ++n;
+            throw SolverError("The solver was made to fail.");
+          }
+      });
+      try
+        {
+          while (simulation.strain() < 0.8 - 1e-9)
+            simulation.advance();
+        }
+      catch (const SolverError &)
+        {}
+      strain = simulation.strain();
+      return std::make_pair(Tests::state_of_discs(simulation), n);
+    };
+    double     strain    = 0.;
+    const auto untouched = run(0, strain).first;
+    const auto mended    = run(2, strain);
+    claims.near("reversal fails twice: happens", mended.second, 2., 0.);
+    claims.at_most("reversal fails twice: the run ends in the same place",
+                   Tests::distance(mended.first.position, untouched.position),
+                   5e-3);
+    claims.at_most("reversal fails twice: with the same spins",
+                   Tests::distance(mended.first.spins, untouched.spins),
+                   5e-3);
+    run(1000, strain);
+    claims.near("reversal fails for good: the run ends there",
+                strain,
+                0.4,
+                1e-9);
   }
 } // namespace
 
@@ -327,5 +404,6 @@ main(int argc, char **argv)
     test_recovery(claims);
     test_stall(claims);
     test_end(claims);
+    test_reversal(claims);
   });
 }

@@ -26,7 +26,7 @@ namespace Catena
       scene.particles = {{dealii::Point<2>(), 1., true},
                          {dealii::Point<2>(distance * std::cos(angle),
                                            distance * std::sin(angle))}};
-      scene.line      = {{1, 1}};
+      scene.line      = {{{1, 1}}};
       return scene;
     }
 

@@ -6,8 +6,8 @@
 namespace Catena
 {
   /**
-   * A file that is there as a whole or not at all, and tells whether it is as
-   * it was written. All integers are those of a little-endian machine.
+   * A file that tells whether it is as it was written. All integers are those
+   * of a little-endian machine.
    *
    * | bytes | content                                                     |
    * |-------|-------------------------------------------------------------|
@@ -21,9 +21,7 @@ namespace Catena
   namespace CheckedFile
   {
     /**
-     * Write @p content as @p path: under a temporary name, to the disk, and
-     * then renamed. What was there before stays as it is until then, also
-     * when the computer stops at any instant.
+     * Write @p content as @p path, a WholeFile.
      *
      * @throws CheckpointError if it cannot be written; nothing is left of it
      */

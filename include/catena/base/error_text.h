@@ -25,6 +25,13 @@ namespace Catena
    */
   std::string
   error_place(const std::exception &error);
+
+  /**
+   * What is to be said, in one line, about the exception that is being handled:
+   * call it in a handler, which may be `catch (...)`.
+   */
+  std::string
+  present_error_text();
 } // namespace Catena
 
 #endif

@@ -22,7 +22,8 @@ namespace Catena
    * `directory/basename/basename_0001.vtu` and brings
    * `directory/basename.pvd`, the list of all files with their strains, up to
    * date. The cells are quadratic triangles or tetrahedra, whose mid-nodes lie
-   * on the curved particles. Any number of processes share one file.
+   * on the curved particles. Any number of processes share one file. All files
+   * are WholeFile.
    *
    * | field            | shape     | unit       |                            |
    * |------------------|-----------|------------|----------------------------|
@@ -98,7 +99,7 @@ namespace Catena
     std::vector<std::pair<double, std::string>> files;
 
     /**
-     * Bring the PVD file up to date, so that no reader ever sees half of it.
+     * Bring the PVD file up to date.
      */
     void
     write_record() const;

@@ -27,9 +27,15 @@ namespace Catena
     void
     check() const;
 
-    Scene<2>
+    /// For dim = 2 only.
+    template <int dim = 2>
+    Scene<dim>
     scene() const;
   };
+
+  template <>
+  Scene<2>
+  ConfinedCylinderParameters::scene() const;
 } // namespace Catena
 
 #endif

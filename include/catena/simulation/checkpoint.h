@@ -59,6 +59,10 @@ namespace Catena
 
     Checkpoint(const std::string &directory, const MPI_Comm communicator);
 
+    /// Is there one, good or damaged? Collective.
+    bool
+    exists() const;
+
     /// Remove what is left of an earlier run. Collective.
     void
     clear();

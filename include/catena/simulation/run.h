@@ -22,6 +22,31 @@ namespace Catena
 
 
   /**
+   * What ends a run before its final strain.
+   */
+  template <int dim>
+  class Ending
+  {
+  public:
+    virtual ~Ending() = default;
+
+    /**
+     * Is the present instant the end? Asked at the start and after every step,
+     * also of a run that was resumed.
+     *
+     * @param step what led to this instant; without a length at the start
+     */
+    virtual bool
+    reached(const Simulation<dim> &simulation, const StepReport &step) = 0;
+
+    /// Save or load what is remembered of earlier instants.
+    virtual void
+    archive(Archive &archive) = 0;
+  };
+
+
+
+  /**
    * Run a simulation to its final strain and record it in a directory:
    *
    * - `trajectory.csv`, a row for the start and for every step,
@@ -32,6 +57,7 @@ namespace Catena
    * with a progress line on the standard output. A run that is resumed goes on
    * with the tables of the one before, from the row of the checkpoint.
    *
+   * @param ending what may end the run earlier
    * @param prepare called with the simulation before its first step, for
    * tests
    *
@@ -45,6 +71,7 @@ namespace Catena
                  const SimulationParameters                   &parameters,
                  const RunOptions                             &options,
                  const MPI_Comm                                communicator,
+                 Ending<dim>                                  *ending = nullptr,
                  const std::function<void(Simulation<dim> &)> &prepare = {});
 } // namespace Catena
 

@@ -223,8 +223,8 @@ namespace Catena
     double
     shear_rate() const;
 
-    unsigned int
-    reverse_shear();
+    bool
+    reverse_shear(StepReport &report);
 
     Configuration<dim>
     moved_particles(const TimeStep &step);

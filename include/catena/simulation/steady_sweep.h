@@ -1,7 +1,7 @@
 #ifndef catena_simulation_steady_sweep_h
 #define catena_simulation_steady_sweep_h
 
-#include <catena/simulation/simulation.h>
+#include <catena/simulation/run.h>
 
 #include <functional>
 #include <string>
@@ -37,37 +37,63 @@ namespace Catena
 
 
   /**
-   * What a run to the steady state came to.
-   */
-  struct SteadyResult
-  {
-    double value = 0.;
-    /// largest difference of the values over the last 1 + 2 Wi of strain
-    double change = 0.;
-    /// is the change below the tolerance?
-    bool steady = true;
-    /// strain at which the run ended
-    double               strain = 0.;
-    unsigned int         steps = 0, elements = 0, unknowns = 0;
-    ConformationExtremes extremes;
-  };
-
-  /**
-   * Run @p scene from rest until @p quantity has changed by less than
-   * @p tolerance over the last two relaxation times and one unit of strain, or
-   * to the final strain. Particles must not move from their places. Without a
-   * conformation the flow is steady at once.
-   *
-   * @param path of a table with a row for each step
+   * The steady state: a quantity has changed by less than a tolerance over the
+   * last two relaxation times and one unit of strain. Without a conformation
+   * the flow is steady at once.
    */
   template <int dim>
-  SteadyResult
-  run_to_steady_state(const Scene<dim>           &scene,
-                      const SimulationParameters &parameters,
-                      const SteadyQuantity<dim>  &quantity,
-                      const double                tolerance,
-                      const std::string          &path,
-                      const MPI_Comm              communicator);
+  class SteadyState : public Ending<dim>
+  {
+  public:
+    SteadyState(const SimulationParameters &parameters,
+                const SteadyQuantity<dim>  &quantity,
+                const double                tolerance);
+
+    bool
+    reached(const Simulation<dim> &simulation, const StepReport &step) override;
+
+    void
+    archive(Archive &archive) override;
+
+    /// What the run came to, after it was asked for its end.
+    struct Result
+    {
+      double value = 0.;
+      /// largest difference of the values over the last 1 + 2 Wi of strain
+      double change = 0.;
+      /// is the change below the tolerance?
+      bool steady = false;
+      /// strain at which the run ended
+      double       strain = 0.;
+      unsigned int steps = 0, elements = 0, unknowns = 0;
+      /// wall time, also of the runs that were resumed
+      double               seconds = 0.;
+      ConformationExtremes extremes;
+    };
+
+    const Result &
+    result() const
+    {
+      return last;
+    }
+
+  private:
+    const SteadyQuantity<dim> quantity;
+    const double              tolerance, window;
+    const bool                steady_at_once;
+    const double              begin; ///< on the clock
+    double                    earlier_seconds = 0.;
+
+    /// over the window
+    std::vector<double> strains, values;
+    Result              last;
+
+    void
+    add(const double strain, const double value);
+
+    double
+    change() const;
+  };
 
 
 
@@ -92,8 +118,10 @@ namespace Catena
   };
 
   /**
-   * Write the table of @p quantity in @p directory with a row for each rate,
-   * and `trajectory_RATE.csv` with the steps of its run.
+   * Write the table of @p quantity in the directory of @p options with a row
+   * for each rate, and in `rate_RATE` what run_simulation() writes. Particles
+   * must not move from their places. A sweep that is resumed goes on with the
+   * run that was not finished.
    */
   template <int dim>
   void
@@ -101,7 +129,7 @@ namespace Catena
                const SimulationParameters  &parameters,
                const SteadySweepParameters &sweep,
                const SteadyQuantity<dim>   &quantity,
-               const std::string           &directory,
+               const RunOptions            &options,
                const MPI_Comm               communicator);
 } // namespace Catena
 
