@@ -1,5 +1,4 @@
 #include <catena/flow/flow_preconditioner.h>
-#include <catena/flow/vertex_interpolation.h>
 
 #include <deal.II/lac/solver_gmres.h>
 
@@ -41,30 +40,6 @@ namespace Catena
 
 
 
-  namespace
-  {
-    /// The rows of this rank in single precision.
-    SparseRows
-    owned_rows(const TrilinosWrappers::SparseMatrix &matrix)
-    {
-      const Epetra_CrsMatrix &epetra = matrix.trilinos_matrix();
-      SparseRows              rows;
-      for (int i = 0; i < epetra.NumMyRows(); ++i)
-        {
-          int     n;
-          int    *columns;
-          double *values;
-          epetra.ExtractMyRowView(i, n, values, columns);
-          for (int k = 0; k < n; ++k)
-            rows.add(epetra.ColMap().GID(columns[k]), values[k]);
-          rows.end_row();
-        }
-      return rows;
-    }
-  } // namespace
-
-
-
   template <int dim>
   unsigned int
   FlowPreconditioner<dim>::set_up_cost() const
@@ -85,19 +60,7 @@ namespace Catena
   {
     matrices = &new_matrices;
 
-    groups.clear();
-    for (const auto &group : matrices->component_matrices)
-      {
-        const VertexInterpolation<dim> interpolation(mesh,
-                                                     couplings,
-                                                     group->components);
-        groups.push_back({group->components,
-                          NodeMultigrid(owned_rows(group->matrix),
-                                        interpolation.node_masks,
-                                        interpolation.prolongation,
-                                        interpolation.vertex_masks,
-                                        mesh.communicator())});
-      }
+    multigrid = VelocityMultigrid<dim>(mesh, couplings, new_matrices);
     velocity_src.reinit(matrices->velocity_rhs);
     pressure_src.reinit(matrices->pressure_rhs);
     pressure_dst.reinit(matrices->pressure_rhs);
@@ -140,17 +103,6 @@ namespace Catena
     if (n == 0)
       return;
 
-    struct VelocityCycle
-    {
-      const FlowPreconditioner &preconditioner;
-
-      void
-      vmult(VectorType &dst, const VectorType &src) const
-      {
-        preconditioner.solve_velocity(dst, src);
-      }
-    } cycle{*this};
-
     VectorType column(velocity_src), response(velocity_src);
     for (unsigned int k = 0; k < n; ++k)
       {
@@ -164,7 +116,7 @@ namespace Catena
         SolverGMRES<VectorType>(control).solve(matrices->velocity_product,
                                                response,
                                                column,
-                                               cycle);
+                                               multigrid);
         rigid_responses.push_back(response);
         std::vector<double> reaction(n);
         matrices->rigid_velocity_product.Tvmult_add(reaction, response);
@@ -204,17 +156,6 @@ namespace Catena
 
   template <int dim>
   void
-  FlowPreconditioner<dim>::solve_velocity(VectorType       &dst,
-                                          const VectorType &src) const
-  {
-    for (const ComponentGroup &group : groups)
-      group.multigrid.vmult(dst, src, group.components, dim);
-  }
-
-
-
-  template <int dim>
-  void
   FlowPreconditioner<dim>::vmult(BlockVectorType       &dst,
                                  const BlockVectorType &src) const
   {
@@ -225,7 +166,7 @@ namespace Catena
     velocity_src *= -1.;
     matrices->gradient_product.vmult_add(velocity_src, dst.block(1));
     velocity_src *= -1.;
-    solve_velocity(dst.block(0), velocity_src);
+    multigrid.vmult(dst.block(0), velocity_src);
 
     const unsigned int n = matrices->n_rigid();
     if (n == 0)

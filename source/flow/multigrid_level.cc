@@ -22,16 +22,21 @@ namespace Catena
 
   MultigridLevel::MultigridLevel(NodeMatrix                    new_matrix,
                                  const std::vector<FieldMask> &masks,
-                                 const double                  smoothing_range)
+                                 const double                  smoothing_range,
+                                 LaneEntries                   extra)
     : level_matrix(std::move(new_matrix))
+    , extra_entries(std::move(extra))
   {
     for (NodeVector *vector :
          {&solution, &residual, &step, &next_step, &inverse_diagonal})
       reinit(*vector, level_matrix.column_nodes());
+    Lanes *const D = lanes(inverse_diagonal);
+    for (unsigned int i = 0; i < level_matrix.n_rows(); ++i)
+      D[i] = Lanes{} + level_matrix.diagonal(i);
+    extra_entries.add_diagonal(D);
     for (unsigned int i = 0; i < level_matrix.n_rows(); ++i)
       for (unsigned int lane = 0; lane < n_lanes; ++lane)
-        if ((masks[i] >> lane) & 1U)
-          lanes(inverse_diagonal)[i][lane] = 1.f / level_matrix.diagonal(i);
+        D[i][lane] = ((masks[i] >> lane) & 1U) ? 1.f / D[i][lane] : 0.f;
     estimate_eigenvalue();
 
     const double high = safety * eigenvalue, low = eigenvalue / smoothing_range;
@@ -66,9 +71,12 @@ namespace Catena
         step.update_ghost_values();
         double square = 0.;
         for (unsigned int i = 0; i < n; ++i)
+          lanes(next_step)[i] = level_matrix.row_times(i, lanes(step));
+        extra_entries.add_product(lanes(next_step), 1.f, lanes(step));
+        for (unsigned int i = 0; i < n; ++i)
           {
-            const Lanes value = lanes(inverse_diagonal)[i] *
-                                level_matrix.row_times(i, lanes(step));
+            const Lanes value =
+              lanes(inverse_diagonal)[i] * lanes(next_step)[i];
             lanes(next_step)[i] = value;
             for (unsigned int lane = 0; lane < n_lanes; ++lane)
               square += value[lane] * value[lane];
@@ -90,6 +98,7 @@ namespace Catena
     step.update_ghost_values();
     const Lanes *const d = lanes(step);
     Lanes *const       r = lanes(residual);
+    extra_entries.add_product(r, -1.f, d);
     for (unsigned int i = 0; i < level_matrix.n_rows(); ++i)
       {
         r[i] -= level_matrix.row_times(i, d);

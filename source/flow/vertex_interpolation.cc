@@ -20,10 +20,10 @@ namespace Catena
     for (const auto node : mesh.owned_nodes())
       {
         FieldMask mask = 0;
-        for (unsigned int k = 0; k < components.size(); ++k)
+        for (const unsigned int component : components)
           if (couplings[node].master == node &&
-              couplings[node].factors[components[k]] != 0.)
-            mask |= 1U << k;
+              couplings[node].factors[component] != 0.)
+            mask |= 1U << component;
         node_masks.push_back(mask);
         if (mask != 0 && is_vertex(node))
           vertex_masks.push_back(mask);

@@ -2,7 +2,7 @@
 #define catena_flow_flow_preconditioner_h
 
 #include <catena/flow/flow_matrices.h>
-#include <catena/flow/node_multigrid.h>
+#include <catena/flow/velocity_multigrid.h>
 #include <catena/particles/acting_contacts.h>
 
 #include <deal.II/lac/diagonal_matrix.h>
@@ -22,7 +22,7 @@ namespace Catena
    * sweeps). Of a gradient, the velocity block A is twice the viscous operator
    * of a component, int (L H + H L^T) : grad v = 2 int L H : grad v, which is
    * why B A^-1 B^T is nearer to M / 2 than to M. K^-1 is one cycle of
-   * NodeMultigrid on the scalar operator of the velocity components, which
+   * VelocityMultigrid on the scalar operator of the velocity components, which
    * includes the tensor viscosity; the rigid-body unknowns, whose rows are too
    * dense for multigrid, and the contact forces are eliminated by their small
    * Schur complement.
@@ -59,29 +59,20 @@ namespace Catena
     }
 
   private:
-    struct ComponentGroup
-    {
-      std::vector<unsigned int> components;
-      NodeMultigrid             multigrid;
-    };
-
     using MassInverse =
       dealii::PreconditionChebyshev<dealii::TrilinosWrappers::SparseMatrix,
                                     VectorType,
                                     dealii::DiagonalMatrix<VectorType>>;
 
-    const FlowMatrices<dim>    *matrices = nullptr;
-    std::vector<ComponentGroup> groups;
-    MassInverse                 mass_inverse;
+    const FlowMatrices<dim> *matrices = nullptr;
+    VelocityMultigrid<dim>   multigrid;
+    MassInverse              mass_inverse;
 
     /// A^-1 C, approximately, and the Schur complement S - R A^-1 C
     std::vector<VectorType>    rigid_responses;
     dealii::FullMatrix<double> rigid_schur, small_inverse;
 
     mutable VectorType velocity_src, pressure_dst, pressure_src;
-
-    void
-    solve_velocity(VectorType &dst, const VectorType &src) const;
 
     void
     initialize_mass();

@@ -1,6 +1,7 @@
 #ifndef catena_flow_multigrid_level_h
 #define catena_flow_multigrid_level_h
 
+#include <catena/flow/lane_entries.h>
 #include <catena/flow/node_matrix.h>
 #include <catena/flow/smoothed_aggregation.h>
 
@@ -9,13 +10,13 @@
 namespace Catena
 {
   /**
-   * A level of NodeMultigrid: the operator A, and a smoother, two steps of
+   * A level of VelocityMultigrid: the operator A, and a smoother, two steps of
    * Chebyshev's iteration preconditioned by the diagonal D,
    *
    *   d_1 = D^-1 r / t,   d_2 = c_1 d_1 + c_2 D^-1 r,   x += d_1 + d_2,
    *
    * with coefficients for the eigenvalues of D^-1 A between
-   * lambda_max / smoothing_range and 1.1 lambda_max. Besides a step d only the
+   * lambda_max / smoothing_range and 1.2 lambda_max. Besides a step d only the
    * residual is kept up to date, so that each step is one sweep over A.
    */
   class MultigridLevel
@@ -23,10 +24,12 @@ namespace Catena
   public:
     /**
      * @param masks which fields have an unknown, by node of this rank
+     * @param extra what A has more than @p matrix for some of the fields
      */
     MultigridLevel(NodeMatrix                    matrix,
                    const std::vector<FieldMask> &masks,
-                   const double                  smoothing_range);
+                   const double                  smoothing_range,
+                   LaneEntries                   extra = {});
 
     const NodeMatrix &
     matrix() const
@@ -54,6 +57,7 @@ namespace Catena
 
   private:
     NodeMatrix         level_matrix;
+    LaneEntries        extra_entries;
     NodeVector         inverse_diagonal;
     mutable NodeVector next_step;
     double             eigenvalue = 0.;

@@ -19,6 +19,9 @@ namespace Catena
 
   constexpr unsigned int n_lanes = 4;
 
+  /// Which of the fields have an unknown at a node, bit by bit.
+  using FieldMask = unsigned char;
+
   /// Up to four fields, interleaved node by node, in single precision.
   using NodeVector = dealii::LinearAlgebra::distributed::Vector<float>;
 

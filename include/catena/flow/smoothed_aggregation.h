@@ -5,11 +5,6 @@
 
 namespace Catena
 {
-  /// Which of the fields have an unknown at a node, bit by bit.
-  using FieldMask = unsigned char;
-
-
-
   /**
    * A coarser level made of aggregates, a few neighbouring nodes each (Vanek,
    * Mandel and Brezina, Computing 56, 1996): fields that are constant on each

@@ -17,8 +17,8 @@ namespace Catena
   {
   public:
     /**
-     * @param components of the velocity, which share the signs; component
-     * components[k] is field k
+     * @param components of the velocity, which share the signs; the others are
+     * in no mask
      */
     VertexInterpolation(const MovingMesh<dim>                &mesh,
                         const std::vector<NodeCoupling<dim>> &couplings,

@@ -1,0 +1,46 @@
+#ifndef catena_flow_coarse_correction_h
+#define catena_flow_coarse_correction_h
+
+#include <catena/flow/coarse_inverse.h>
+#include <catena/flow/multigrid_level.h>
+#include <catena/flow/node_matrix.h>
+
+#include <memory>
+#include <vector>
+
+namespace Catena
+{
+  /**
+   * The coarser levels of a multigrid below a given one: P C P^T r, where C is
+   * a V-cycle for P^T A P that uses the correction of the next coarser level,
+   * made of aggregates, or the inverse where the level is small.
+   */
+  class CoarseCorrection
+  {
+  public:
+    /**
+     * @param matrix the operator A of the finer level
+     * @param prolongation the rows of P of this rank's nodes
+     * @param masks which fields have an unknown, by node of the coarser level;
+     * a field without any is not corrected
+     */
+    CoarseCorrection(const NodeMatrix             &matrix,
+                     const SparseRows             &prolongation,
+                     const std::vector<FieldMask> &masks,
+                     const MPI_Comm                communicator);
+
+    /// step += P C P^T residual
+    void
+    add_to(NodeVector &step, const NodeVector &residual) const;
+
+  private:
+    NodeMatrix                        prolongation;
+    std::unique_ptr<MultigridLevel>   level;
+    std::unique_ptr<CoarseCorrection> coarser;
+    /// in place of a level and what is coarser
+    std::unique_ptr<CoarseInverse> inverse;
+    mutable NodeVector             solution, right_hand_side;
+  };
+} // namespace Catena
+
+#endif

@@ -1,0 +1,55 @@
+#ifndef catena_flow_lane_entries_h
+#define catena_flow_lane_entries_h
+
+#include <catena/flow/node_matrix.h>
+
+#include <vector>
+
+namespace Catena
+{
+  /**
+   * What the matrices of single fields have more, or less, than the NodeMatrix
+   * that all fields share: on few entries, where their boundary conditions or
+   * the signs of their identified nodes differ.
+   */
+  class LaneEntries
+  {
+  public:
+    /// The rows of the matrix of some of the fields.
+    struct FieldRows
+    {
+      FieldMask  fields;
+      SparseRows rows;
+    };
+
+    LaneEntries() = default;
+
+    /**
+     * @param shared the shared matrix
+     * @param shared_rows its rows
+     * @param others those of other fields, with the same columns
+     */
+    LaneEntries(const NodeMatrix             &shared,
+                const SparseRows             &shared_rows,
+                const std::vector<FieldRows> &others);
+
+    /// dst += factor E src
+    void
+    add_product(Lanes *dst, const float factor, const Lanes *src) const;
+
+    /// Add the entries on the diagonal.
+    void
+    add_diagonal(Lanes *diagonal) const;
+
+  private:
+    /// rows that have entries, their ranges of entries, and columns
+    std::vector<unsigned int> rows, starts = {0}, columns;
+    /// n_lanes for each entry
+    std::vector<float> values;
+
+    Lanes
+    value(const unsigned int entry) const;
+  };
+} // namespace Catena
+
+#endif
