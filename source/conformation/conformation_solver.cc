@@ -218,8 +218,18 @@ namespace Catena
 
     for (const auto &group : groups)
       for (const auto i : mesh->owned_scalars())
-        if (!identification.is_free(group->components[0], i))
-          group->access.add(group->access.row(i), group->access.column(i), 1.);
+        {
+          const int row = group->access.row(i);
+          if (!identification.is_free(group->components[0], i))
+            group->access.add(row, group->access.column(i), 1.);
+          // vertices of small cells count as much as those of large ones
+          const double scaling =
+            1. / group->access.values(
+                   row)[group->access.offset(row, group->access.column(i))];
+          group->access.scale(row, scaling);
+          for (VectorType &rhs : group->rhs)
+            rhs(i) *= scaling;
+        }
   }
 
 

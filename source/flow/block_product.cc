@@ -9,23 +9,35 @@ namespace Catena
 
   namespace
   {
-    /// The sum of the products of @p n numbers, four at a time.
-    inline double
-    dot(const double *a, const double *b, const unsigned int n)
+    constexpr unsigned int width = 8;
+    using Singles = float __attribute__((vector_size(4 * width)));
+    using Doubles = double __attribute__((vector_size(8 * width)));
+
+    template <typename Values, typename Number>
+    inline Values
+    at(const Number *p)
     {
-      using Four    = double __attribute__((vector_size(32)));
-      const auto at = [](const double *p) {
-        Four value;
-        std::memcpy(&value, p, sizeof(Four));
-        return value;
-      };
-      Four         sums = {};
+      Values values;
+      std::memcpy(&values, p, sizeof(Values));
+      return values;
+    }
+
+
+
+    /// The sum of the products of @p n numbers, several at a time.
+    inline double
+    dot(const float *a, const double *x, const unsigned int n)
+    {
+      Doubles      sums = {};
       unsigned int k    = 0;
-      for (; k + 4 <= n; k += 4)
-        sums += at(a + k) * at(b + k);
-      double sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+      for (; k + width <= n; k += width)
+        sums += __builtin_convertvector(at<Singles>(a + k), Doubles) *
+                at<Doubles>(x + k);
+      double sum = 0.;
+      for (unsigned int i = 0; i < width; ++i)
+        sum += sums[i];
       for (; k < n; ++k)
-        sum += a[k] * b[k];
+        sum += a[k] * x[k];
       return sum;
     }
   } // namespace
@@ -41,7 +53,8 @@ namespace Catena
     double                 *values;
     const int error = epetra.ExtractCrsDataPointers(starts, indices, values);
     AssertThrow(error == 0, ExcInternalError());
-    entries = values;
+    exact_entries = values;
+    entries.resize(epetra.NumMyNonzeros());
 
     const IndexSet owned = matrix.locally_owned_domain_indices();
     IndexSet       ghosts(owned.size());
@@ -70,6 +83,15 @@ namespace Catena
 
 
 
+  template <int n_rows, int n_columns>
+  void
+  BlockProduct<n_rows, n_columns>::update()
+  {
+    std::copy(exact_entries, exact_entries + entries.size(), entries.begin());
+  }
+
+
+
   /// The values of the columns in the order of the matrix.
   template <int n_rows, int n_columns>
   const double *
@@ -91,7 +113,7 @@ namespace Catena
                                             const VectorType &src) const
   {
     const double *const x      = column_values(src);
-    const double       *values = entries;
+    const float        *values = entries.data();
     double             *y      = dst.begin();
     for (unsigned int node = 0; node + 1 < row_starts.size(); ++node)
       {

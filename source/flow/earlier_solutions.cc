@@ -11,10 +11,13 @@ namespace Catena
 
   namespace
   {
-    constexpr unsigned int n_solutions = 4;
+    constexpr unsigned int n_solutions = 6;
 
-    /// What is left of a direction without the others, if it is one of its own.
-    constexpr double smallest_remainder = 1e-8;
+    /**
+     * Image of a direction, without those of the others, against the residual:
+     * below that it is noise, and the step would be large.
+     */
+    constexpr double smallest_share = 1e-3;
 
     constexpr unsigned int n_blocks_without_contacts = 3;
   } // namespace
@@ -70,13 +73,14 @@ namespace Catena
     BlockVectorType residual(rhs);
     system.vmult(residual, guess);
     residual.sadd(-1., 1., rhs);
+    const double smallest_image = smallest_share * residual.l2_norm();
 
     // directions whose images under A are orthonormal
     const BlockVectorType        first_guess = guess;
     std::vector<BlockVectorType> directions, images;
     for (const BlockVectorType &solution : solutions)
       {
-        BlockVectorType direction(guess), image(rhs);
+        BlockVectorType direction(guess), image(guess);
         direction = 0.;
         for (unsigned int b = 0; b < solution.n_blocks(); ++b)
           {
@@ -84,7 +88,6 @@ namespace Catena
             direction.block(b) -= first_guess.block(b);
           }
         system.vmult(image, direction);
-        const double norm = image.l2_norm();
         for (unsigned int i = 0; i < images.size(); ++i)
           {
             const double projection = image * images[i];
@@ -92,7 +95,7 @@ namespace Catena
             direction.add(-projection, directions[i]);
           }
         const double remainder = image.l2_norm();
-        if (!(remainder > smallest_remainder * norm))
+        if (!(remainder > smallest_image))
           continue;
         image *= 1. / remainder;
         direction *= 1. / remainder;

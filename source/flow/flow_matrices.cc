@@ -544,7 +544,8 @@ namespace Catena
 
 
   /**
-   * Unit equations for what is not solved for, and sums over the ranks.
+   * Unit equations for what is not solved for, products, and sums over the
+   * ranks.
    */
   template <int dim>
   void
@@ -570,6 +571,9 @@ namespace Catena
       for (const auto vertex : mesh.owned_scalars())
         if (pressure_master(vertex) != vertex)
           fix(mass_access, vertex);
+    velocity_product.update();
+    gradient_product.update();
+    divergence_product.update();
 
     // nothing moves, and a matrix without entries has no sum
     if (bodies.n_unknowns() == 0)

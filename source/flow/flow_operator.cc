@@ -12,9 +12,18 @@ namespace Catena
   FlowOperator<dim>::vmult(BlockVectorType       &dst,
                            const BlockVectorType &src) const
   {
-    matrices.velocity_product.vmult(dst.block(0), src.block(0));
-    matrices.gradient_product.vmult_add(dst.block(0), src.block(1));
-    matrices.divergence_product.vmult(dst.block(1), src.block(0));
+    if (precision == Precision::single_precision)
+      {
+        matrices.velocity_product.vmult(dst.block(0), src.block(0));
+        matrices.gradient_product.vmult_add(dst.block(0), src.block(1));
+        matrices.divergence_product.vmult(dst.block(1), src.block(0));
+      }
+    else
+      {
+        matrices.velocity.vmult(dst.block(0), src.block(0));
+        matrices.gradient.vmult_add(dst.block(0), src.block(1));
+        matrices.divergence.vmult(dst.block(1), src.block(0));
+      }
     if (matrices.n_rigid() == 0)
       return;
     const std::vector<double> motions = replicate(src.block(2));

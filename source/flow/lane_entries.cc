@@ -8,17 +8,22 @@ namespace Catena
 {
   LaneEntries::LaneEntries(const NodeMatrix             &shared,
                            const SparseRows             &shared_rows,
-                           const std::vector<FieldRows> &others)
+                           const std::vector<FieldRows> &others,
+                           const std::vector<FieldMask> &masks)
   {
+    const std::vector<unsigned int> node_fields =
+      with_ghosts({masks.begin(), masks.end()}, shared.column_nodes());
     for (unsigned int i = 0; i < shared.n_rows(); ++i)
       {
         const auto range = shared.row(i);
         for (unsigned int k = range.first; k < range.second; ++k)
           {
+            const unsigned int fields =
+              node_fields[i] & node_fields[shared.column(k)];
             std::array<float, n_lanes> differences = {};
             for (const FieldRows &other : others)
               for (unsigned int lane = 0; lane < n_lanes; ++lane)
-                if ((other.fields >> lane) & 1U)
+                if (((other.fields & fields) >> lane) & 1U)
                   differences[lane] =
                     other.rows.values[k] - shared_rows.values[k];
             if (std::any_of(differences.begin(),

@@ -67,7 +67,10 @@ namespace Catena
           }
       }
     finest = std::make_unique<MultigridLevel>(
-      shared, masks, smoothing_range, LaneEntries(shared, shared_rows, others));
+      shared,
+      masks,
+      smoothing_range,
+      LaneEntries(shared, shared_rows, others, masks));
   }
 
 

@@ -102,7 +102,7 @@ namespace Catena
                        const Level<dim>          &before,
                        const VectorType          &mesh_velocity,
                        const std::vector<double> &external_forces,
-                       Contacts<dim>             &contacts)
+                       const Contacts<dim>       &contacts)
   {
     const auto         candidates = contacts.candidates(next.configuration);
     const unsigned int n_stalled  = flow_solver.n_stalled_solves();
@@ -112,7 +112,6 @@ namespace Catena
         solve_nonlinear(next, candidates, external_forces) :
         solve_linear(
           next, step, now, before, mesh_velocity, candidates, external_forces);
-    contacts.remember(candidates, next.flow.contact_forces);
     if (flow_solver.n_stalled_solves() > n_stalled)
       run_report.count("solves repeated with a fresh preconditioner",
                        flow_solver.n_stalled_solves() - n_stalled);

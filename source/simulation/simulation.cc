@@ -139,7 +139,10 @@ namespace Catena
       for (unsigned int k = 0; k < n_symmetric_components(dim); ++k)
         now.log_conformation.push_back(mesh().scalar_field());
     else
-      solve_flow(now, TimeStep(), VectorType());
+      {
+        solve_flow(now, TimeStep(), VectorType());
+        hold_contacts();
+      }
   }
 
 
@@ -213,6 +216,7 @@ namespace Catena
     state.before              = std::move(state.now);
     state.now                 = std::move(next);
     state.last_dt             = result.dt;
+    hold_contacts();
     if (last_held_step)
       let_go();
 
@@ -315,6 +319,19 @@ namespace Catena
 
 
 
+  /**
+   * Those of the present state: a rejected step leaves no trace.
+   */
+  template <int dim>
+  void
+  Simulation<dim>::hold_contacts()
+  {
+    contacts.remember(contacts.candidates(state.now.configuration),
+                      state.now.flow.contact_forces);
+  }
+
+
+
   template <int dim>
   void
   Simulation<dim>::inject(const StepPart part, Level<dim> &next)
@@ -371,6 +388,7 @@ namespace Catena
       {
         report.flow_iterations += solve_flow(now, step, mesh().vector_field());
         inject(StepPart::flow, now);
+        hold_contacts();
         state.last_dt = 0.;
         return true;
       }

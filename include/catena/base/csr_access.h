@@ -81,6 +81,14 @@ namespace Catena
       values(row)[offset(row, column)] += value;
     }
 
+    /// Multiply the entries of a row.
+    void
+    scale(const int row, const double factor) const
+    {
+      for (int k = row_starts[row]; k < row_starts[row + 1]; ++k)
+        entries[k] *= factor;
+    }
+
   private:
     int             *row_starts     = nullptr;
     int             *column_indices = nullptr;

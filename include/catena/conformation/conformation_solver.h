@@ -23,7 +23,7 @@ namespace Catena
    */
   struct ConformationSolverParameters
   {
-    /// residual against the right-hand side
+    /// residual against the right-hand side, rows scaled with their diagonal
     double       tolerance      = 1e-8;
     unsigned int max_iterations = 200;
 

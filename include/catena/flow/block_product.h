@@ -13,9 +13,10 @@ namespace Catena
    * Products of a Trilinos matrix between vector fields of @p n_rows and
    * @p n_columns components, one degree of freedom after the other at each
    * node. The rows of a node have the same columns, and a column's node is
-   * there with all its components: there is one index for a block, and the
-   * entries are read where Trilinos keeps them. Bound by memory as it is, that
-   * is faster than the matrix' own product.
+   * there with all its components: there is one index for a block. The entries
+   * are kept in single precision, sums are in double. Bound by memory as it is,
+   * that takes half the time of the matrix' own product; what it is used for
+   * has to make up for the difference.
    *
    * Valid until the matrix gets another sparsity pattern.
    */
@@ -27,6 +28,10 @@ namespace Catena
 
     explicit BlockProduct(const dealii::TrilinosWrappers::SparseMatrix &matrix);
 
+    /// Take over the entries that the matrix has now.
+    void
+    update();
+
     /// dst = A src
     void
     vmult(VectorType &dst, const VectorType &src) const;
@@ -36,7 +41,9 @@ namespace Catena
     vmult_add(VectorType &dst, const VectorType &src) const;
 
   private:
-    const double *entries = nullptr;
+    /// where Trilinos keeps the entries
+    const double      *exact_entries = nullptr;
+    std::vector<float> entries;
     /// by node, the range of its blocks; by block, where its column starts
     std::vector<unsigned int> row_starts = {0}, columns;
 

@@ -91,7 +91,8 @@ namespace Catena
       velocity_rigid, rigid_velocity_transposed, pressure_rigid;
     dealii::FullMatrix<double> rigid_rigid;
 
-    /// Products with the large blocks, and with C, R^T and D.
+    /// Products with the large blocks in single precision, and with C, R^T and
+    /// D.
     BlockProduct<dim, dim> velocity_product;
     BlockProduct<dim, 1>   gradient_product;
     BlockProduct<1, dim>   divergence_product;

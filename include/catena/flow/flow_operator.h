@@ -14,8 +14,16 @@ namespace Catena
   template <int dim>
   struct FlowOperator
   {
+    /// Of the entries of the large blocks A, B and B^T.
+    enum class Precision
+    {
+      double_precision,
+      single_precision
+    };
+
     const FlowMatrices<dim> &matrices;
     const ContactBlocks     &contacts;
+    Precision                precision = Precision::double_precision;
 
     void
     vmult(BlockVectorType &dst, const BlockVectorType &src) const;

@@ -257,6 +257,9 @@ namespace Catena
                const std::vector<double> &external_forces,
                FlowFields<dim>           &fields);
 
+    void
+    normalise_pressure(VectorType &pressure) const;
+
     unsigned int
     iterate(BlockVectorType       &solution,
             const BlockVectorType &rhs,

@@ -9,8 +9,9 @@ namespace Catena
 {
   /**
    * What the matrices of single fields have more, or less, than the NodeMatrix
-   * that all fields share: on few entries, where their boundary conditions or
-   * the signs of their identified nodes differ.
+   * that all fields share: on few entries, where the signs of their identified
+   * nodes differ. Rows and columns in which a field has no unknown are left as
+   * they are shared.
    */
   class LaneEntries
   {
@@ -28,10 +29,12 @@ namespace Catena
      * @param shared the shared matrix
      * @param shared_rows its rows
      * @param others those of other fields, with the same columns
+     * @param masks which fields have an unknown, by node of this rank
      */
     LaneEntries(const NodeMatrix             &shared,
                 const SparseRows             &shared_rows,
-                const std::vector<FieldRows> &others);
+                const std::vector<FieldRows> &others,
+                const std::vector<FieldMask> &masks);
 
     /// dst += factor E src
     void

@@ -15,7 +15,7 @@ namespace Catena
 {
   /**
    * The part of a time step in which the flow at its end is solved for: chooses
-   * the stress of the fluid, solves, keeps the forces of the contacts.
+   * the stress of the fluid, and solves.
    */
   template <int dim>
   class FlowStep
@@ -35,7 +35,7 @@ namespace Catena
      * Solve for the flow of @p next, with that as first guess.
      *
      * @param now, before the levels from which the stress is predicted
-     * @param contacts hold their last forces, on return those of @p next
+     * @param contacts hold the forces of the last step
      * @return number of linear iterations
      * @throws SolverError
      */
@@ -46,7 +46,7 @@ namespace Catena
           const Level<dim>          &before,
           const VectorType          &mesh_velocity,
           const std::vector<double> &external_forces,
-          Contacts<dim>             &contacts);
+          const Contacts<dim>       &contacts);
 
     /// Make a new preconditioner in the next solve.
     void

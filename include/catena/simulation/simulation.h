@@ -248,6 +248,9 @@ namespace Catena
     count_attempts();
 
     void
+    hold_contacts();
+
+    void
     inject(const StepPart part, Level<dim> &next);
 
     VectorType
