@@ -10,6 +10,7 @@ endif()
 if(CATENA_SANITIZE)
   add_compile_options(-fsanitize=${CATENA_SANITIZE}
     -fno-sanitize-recover=all -fno-omit-frame-pointer -g1)
+  add_compile_definitions(_GLIBCXX_ASSERTIONS)
   add_link_options(-fsanitize=${CATENA_SANITIZE})
 endif()
 
@@ -23,11 +24,17 @@ if(CATENA_NATIVE)
   endif()
 endif()
 
-string(REPLACE "-O2" "-O3" DEAL_II_CXX_FLAGS_RELEASE
+# Sanitized code is for finding errors: it need not be the fastest, and compiles
+# much faster for that.
+set(optimization "-O3")
+if(CATENA_SANITIZE)
+  set(optimization "-O1")
+endif()
+string(REPLACE "-O2" "${optimization}" DEAL_II_CXX_FLAGS_RELEASE
   "${DEAL_II_CXX_FLAGS_RELEASE}")
 
 # Debug checks more and steps through the code, but need not crawl. The traces of
-# sanitizers ask for line numbers alone, which compile much faster.
+# sanitizers ask for line numbers alone.
 string(REPLACE "-O0" "-Og" DEAL_II_CXX_FLAGS_DEBUG
   "${DEAL_II_CXX_FLAGS_DEBUG}")
 if(CATENA_SANITIZE)
