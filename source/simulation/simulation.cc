@@ -1,6 +1,7 @@
 #include <catena/base/exceptions.h>
 #include <catena/flow/velocity_constraints.h>
 #include <catena/output/progress.h>
+#include <catena/simulation/extrapolation.h>
 #include <catena/simulation/simulation.h>
 #include <catena/simulation/step_error.h>
 
@@ -14,19 +15,6 @@ namespace Catena
 
   namespace
   {
-    /// The weighted sum of a field at two instants.
-    VectorType
-    combine(const TwoLevelWeights &weights,
-            const VectorType      &now,
-            const VectorType      &before)
-    {
-      VectorType result = now;
-      if (weights.b1 != 0.)
-        result.sadd(weights.b0, weights.b1, before);
-      result.update_ghost_values();
-      return result;
-    }
-
     /// Strains that differ by rounding only
     constexpr double same_strain = 1e-9;
 
@@ -270,12 +258,12 @@ namespace Catena
     next.time          = state.now.time + step.dt;
     next.configuration = moved_particles(step);
     move_mesh(next, report);
-    const VectorType velocity_of_mesh = mesh_velocity(next, step);
+    const VectorType velocity_of_mesh = mesh_velocity(state, next, step);
 
-    next.flow = extrapolated_flow(step);
+    next.flow = extrapolated_flow(state, step);
     report.flow_iterations += solve_flow(next, step, velocity_of_mesh);
     inject(StepPart::flow, next);
-    const auto predicted  = extrapolated_log_conformation(step);
+    const auto predicted  = extrapolated_log_conformation(state, step);
     next.log_conformation = predicted;
     if (conformation_solver)
       {
@@ -514,49 +502,6 @@ namespace Catena
 
 
 
-  template <int dim>
-  VectorType
-  Simulation<dim>::mesh_velocity(const Level<dim> &next,
-                                 const TimeStep   &step) const
-  {
-    const BdfCoefficients bdf    = step.bdf();
-    VectorType            result = next.positions;
-    result.sadd(bdf.a0 / step.dt, bdf.a1 / step.dt, state.now.positions);
-    if (bdf.a2 != 0.)
-      result.add(bdf.a2 / step.dt, state.before.positions);
-    result.update_ghost_values();
-    return result;
-  }
-
-
-
-  template <int dim>
-  FlowFields<dim>
-  Simulation<dim>::extrapolated_flow(const TimeStep &step) const
-  {
-    const TwoLevelWeights  weights = step.extrapolation();
-    const FlowFields<dim> &now = state.now.flow, &before = state.before.flow;
-
-    FlowFields<dim> result = now;
-    result.pressure_drop =
-      weights.b0 * now.pressure_drop + weights.b1 * before.pressure_drop;
-    result.velocity = combine(weights, now.velocity, before.velocity);
-    result.pressure = combine(weights, now.pressure, before.pressure);
-    if (weights.b1 != 0.)
-      for (unsigned int i = 0; i < result.motions.size(); ++i)
-        {
-          RigidMotion<dim>       &motion = result.motions[i];
-          const RigidMotion<dim> &old    = before.motions[i];
-          motion.velocity =
-            weights.b0 * motion.velocity + weights.b1 * old.velocity;
-          motion.angular_velocity = weights.b0 * motion.angular_velocity +
-                                    weights.b1 * old.angular_velocity;
-        }
-    return result;
-  }
-
-
-
   /**
    * With the flow of @p next as first guess.
    */
@@ -573,23 +518,6 @@ namespace Catena
                            mesh_velocity,
                            external_forces(next.time),
                            contacts);
-  }
-
-
-
-  template <int dim>
-  std::vector<VectorType>
-  Simulation<dim>::extrapolated_log_conformation(const TimeStep &step) const
-  {
-    const TwoLevelWeights weights = step.extrapolation();
-    const auto           &now     = state.now.log_conformation;
-    const auto           &before  = state.before.log_conformation;
-    // sized first: a vector copied when the list grows loses its ghost values
-    std::vector<VectorType> result(now.size());
-    for (unsigned int k = 0; k < now.size(); ++k)
-      result[k] =
-        weights.b1 != 0. ? combine(weights, now[k], before[k]) : now[k];
-    return result;
   }
 
 

@@ -253,19 +253,10 @@ namespace Catena
     void
     inject(const StepPart part, Level<dim> &next);
 
-    VectorType
-    mesh_velocity(const Level<dim> &next, const TimeStep &step) const;
-
-    FlowFields<dim>
-    extrapolated_flow(const TimeStep &step) const;
-
     unsigned int
     solve_flow(Level<dim>       &next,
                const TimeStep   &step,
                const VectorType &mesh_velocity);
-
-    std::vector<VectorType>
-    extrapolated_log_conformation(const TimeStep &step) const;
 
     unsigned int
     solve_conformation(Level<dim>       &next,
