@@ -366,8 +366,16 @@ namespace Catena
                               std::max(0.9 * wanted, largest_reduction * norm));
         typename SolverFGMRES<BlockVectorType>::AdditionalData data(100);
         correction = 0.;
-        SolverFGMRES<BlockVectorType>(control, data)
-          .solve(fast_system, correction, residual, preconditioner);
+        try
+          {
+            SolverFGMRES<BlockVectorType>(control, data)
+              .solve(fast_system, correction, residual, preconditioner);
+          }
+        catch (const SolverControl::NoConvergence &failure)
+          {
+            throw SolverControl::NoConvergence(iterations + failure.last_step,
+                                               failure.last_residual);
+          }
         iterations += control.last_step();
         solution += correction;
         const double last_norm = std::exchange(norm, find_residual());

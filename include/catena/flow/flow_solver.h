@@ -83,7 +83,9 @@ namespace Catena
    *
    * and, in a pressure-driven scene, with the flow rate,
    * for the disturbance of the imposed shear flow, by FGMRES with
-   * FlowPreconditioner, from a first guess improved by EarlierSolutions. The
+   * FlowPreconditioner, from a first guess improved by EarlierSolutions. FGMRES
+   * works with the matrices in single precision, on a correction of the
+   * residual in double precision, and again where that asks for it. The
    * matrices' sparsity is kept as long as the mesh is. The preconditioner is
    * kept until the iterations lost since it was made, against its best solve by
    * decades of the residual, would have paid for a new one.
