@@ -121,7 +121,16 @@ namespace Catena
     FlowFields<dim>          &fields)
   {
     set_configuration(new_configuration);
-    extract_velocity(first_guess(fields, {}), fields);
+    unknowns().extract_velocity(unknowns().first_guess(fields, {}), fields);
+  }
+
+
+
+  template <int dim>
+  FlowUnknowns<dim>
+  FlowSolver<dim>::unknowns() const
+  {
+    return {*mesh, *bodies, configuration, held, couplings, *matrices};
   }
 
 
@@ -147,135 +156,6 @@ namespace Catena
 
 
 
-  template <int dim>
-  ContactBlocks
-  FlowSolver<dim>::contact_blocks(
-    const std::vector<Contact<dim>> &contacts) const
-  {
-    const unsigned int        n = bodies->n_unknowns(), m = contacts.size();
-    const std::vector<double> reference = bodies->values(
-      reference_motions<dim>(mesh->scene(), configuration, held));
-
-    ContactBlocks blocks;
-    if (m > 0)
-      blocks.rates.reinit(m, matrices->n_rigid());
-    blocks.given.assign(m, 0.);
-    for (unsigned int c = 0; c < m; ++c)
-      {
-        const std::vector<double> rate = contacts[c].rate(*bodies);
-        for (unsigned int k = 0; k < n; ++k)
-          {
-            blocks.rates(c, k) = rate[k];
-            blocks.given[c] -= rate[k] * reference[k];
-          }
-        blocks.shares.push_back(contacts[c].meshed_share);
-      }
-    return blocks;
-  }
-
-
-
-  template <int dim>
-  BlockVectorType
-  FlowSolver<dim>::make_vector(const unsigned int n_contacts) const
-  {
-    const MPI_Comm comm    = mesh->communicator();
-    const unsigned n_rigid = matrices->n_rigid();
-    const auto     on_root = [&](const unsigned int n) {
-      IndexSet set(n);
-      if (Utilities::MPI::this_mpi_process(comm) == 0)
-        set.add_range(0, n);
-      return VectorType(set, comm);
-    };
-    BlockVectorType vector(n_rigid == 0 ? 2 : (n_contacts == 0 ? 3 : 4));
-    vector.block(0).reinit(matrices->velocity_rhs);
-    vector.block(1).reinit(matrices->pressure_rhs);
-    if (n_rigid > 0)
-      vector.block(2).reinit(on_root(n_rigid));
-    if (n_contacts > 0)
-      vector.block(3).reinit(on_root(n_contacts));
-    vector.collect_sizes();
-    return vector;
-  }
-
-
-
-  template <int dim>
-  BlockVectorType
-  FlowSolver<dim>::right_hand_side(
-    const ContactBlocks       &contacts,
-    const std::vector<double> &external_forces) const
-  {
-    BlockVectorType rhs = make_vector(contacts.n_contacts());
-    rhs.block(0)        = matrices->velocity_rhs;
-    rhs.block(1)        = matrices->pressure_rhs;
-    // the flux through the boundary vanishes up to rounding
-    rhs.block(1).add(-rhs.block(1).mean_value());
-    if (matrices->n_rigid() > 0)
-      {
-        std::vector<double> forces = matrices->rigid_rhs;
-        for (unsigned int k = 0; k < bodies->n_unknowns(); ++k)
-          if (bodies->is_free(k))
-            forces[k] += bodies->meshed_share(k) * external_forces[k];
-        set_replicated(rhs.block(2), forces);
-      }
-    if (contacts.n_contacts() > 0)
-      set_replicated(rhs.block(3), contacts.given);
-    return rhs;
-  }
-
-
-
-  template <int dim>
-  BlockVectorType
-  FlowSolver<dim>::first_guess(const FlowFields<dim>     &fields,
-                               const std::vector<double> &forces) const
-  {
-    BlockVectorType guess = make_vector(forces.size());
-    for (const auto node : mesh->owned_nodes())
-      {
-        Point<dim> x;
-        for (unsigned int d = 0; d < dim; ++d)
-          x[d] = mesh->positions()(dim * node + d);
-        const Tensor<1, dim> imposed =
-          configuration.shear_rate * mesh->scene().imposed_velocity(x);
-        for (unsigned int d = 0; d < dim; ++d)
-          if (couplings[node].master == node &&
-              couplings[node].factors[d] != 0.)
-            guess.block(0)(dim * node + d) =
-              fields.velocity(dim * node + d) - imposed[d];
-      }
-    for (const auto vertex : mesh->owned_scalars())
-      if (mesh->identification().master(mesh->node_of_vertex(vertex)) ==
-          mesh->node_of_vertex(vertex))
-        guess.block(1)(vertex) = fields.pressure(vertex);
-    if (matrices->n_rigid() > 0)
-      set_replicated(guess.block(2), global_unknowns(fields));
-    if (forces.size() > 0)
-      set_replicated(guess.block(3), forces);
-    return guess;
-  }
-
-
-
-  /// The rigid-body unknowns, against the reference motions, and the pressure
-  /// drop.
-  template <int dim>
-  std::vector<double>
-  FlowSolver<dim>::global_unknowns(const FlowFields<dim> &fields) const
-  {
-    std::vector<double>       values    = bodies->values(fields.motions);
-    const std::vector<double> reference = bodies->values(
-      reference_motions<dim>(mesh->scene(), configuration, held));
-    for (unsigned int k = 0; k < values.size(); ++k)
-      values[k] = bodies->is_free(k) ? values[k] - reference[k] : 0.;
-    if (mesh->scene().pressure_driven())
-      values.push_back(fields.pressure_drop);
-    return values;
-  }
-
-
-
   /// Norm of the residual to which the equations are solved.
   template <int dim>
   double
@@ -293,12 +173,13 @@ namespace Catena
                             const std::vector<Contact<dim>> &contacts,
                             const std::vector<double> &external_forces) const
   {
-    const ContactBlocks   blocks = contact_blocks(contacts);
-    const BlockVectorType rhs    = right_hand_side(blocks, external_forces);
-    std::vector<double>   forces = fields.contact_forces;
+    const ContactBlocks   blocks = unknowns().contact_blocks(contacts);
+    const BlockVectorType rhs =
+      unknowns().right_hand_side(blocks, external_forces);
+    std::vector<double> forces = fields.contact_forces;
     forces.resize(contacts.size());
-    const BlockVectorType solution = first_guess(fields, forces);
-    BlockVectorType       left     = make_vector(contacts.size());
+    const BlockVectorType solution = unknowns().first_guess(fields, forces);
+    BlockVectorType       left     = unknowns().make_vector(contacts.size());
     FlowOperator<dim>{*matrices, blocks}.vmult(left, solution);
     left -= rhs;
     if (contacts.size() > 0)
@@ -311,23 +192,6 @@ namespace Catena
     result.right_hand_side = rhs.l2_norm();
     result.rounding        = 1e-15 * matrices->velocity.frobenius_norm();
     return result;
-  }
-
-
-
-  /**
-   * Take away what no equation sees: the mean over the volume of the fluid, and
-   * what identified vertices have besides their masters.
-   */
-  template <int dim>
-  void
-  FlowSolver<dim>::normalise_pressure(VectorType &pressure) const
-  {
-    const VectorType &volumes = matrices->vertex_volumes;
-    const double      mean =
-      (pressure * volumes) / (volumes.mean_value() * volumes.size());
-    for (const auto i : volumes.locally_owned_elements())
-      pressure(i) = volumes(i) != 0. ? pressure(i) - mean : 0.;
   }
 
 
@@ -383,7 +247,7 @@ namespace Catena
           throw SolverControl::NoConvergence(iterations, norm);
       }
     decades = std::log10(first_norm / norm);
-    normalise_pressure(solution.block(1));
+    unknowns().normalise_pressure(solution.block(1));
     if (is_of_an_instant)
       earlier_solutions.remember(solution);
     return iterations;
@@ -398,7 +262,7 @@ namespace Catena
                          const std::vector<double>       &external_forces)
   {
     const unsigned int  m      = candidates.size();
-    const ContactBlocks blocks = contact_blocks(candidates);
+    const ContactBlocks blocks = unknowns().contact_blocks(candidates);
     if (fields.contact_forces.size() != m)
       fields.contact_forces.assign(m, 0.);
     if (m == 0)
@@ -410,20 +274,20 @@ namespace Catena
       }
 
     const double residual =
-      target(right_hand_side(ContactBlocks(), external_forces));
+      target(unknowns().right_hand_side(ContactBlocks(), external_forces));
     const unsigned int max_solutions = 10 + 2 * m;
     double             force_error   = usual_force_error;
     unsigned int       iterations    = 0;
     ActingContacts     acting(preconditioner.rigid_resistance(),
                           blocks,
-                          global_unknowns(fields),
+                          unknowns().global_unknowns(fields),
                           fields.contact_forces);
     for (unsigned int n = 0; n < max_solutions; ++n)
       {
         iterations += solve_with(acting.set(), blocks, external_forces, fields);
         if (n == 0)
           judge_preconditioner(iterations);
-        if (acting.are_found(global_unknowns(fields),
+        if (acting.are_found(unknowns().global_unknowns(fields),
                              fields.contact_forces,
                              force_error * residual))
           {
@@ -457,8 +321,8 @@ namespace Catena
     for (unsigned int c = 0; c < set.size(); ++c)
       if (set[c])
         forces.push_back(fields.contact_forces[c]);
-    BlockVectorType rhs      = right_hand_side(blocks, external_forces);
-    const auto      guess    = first_guess(fields, forces);
+    BlockVectorType rhs   = unknowns().right_hand_side(blocks, external_forces);
+    const auto      guess = unknowns().first_guess(fields, forces);
     BlockVectorType solution = guess;
     unsigned int    iterations;
     try
@@ -493,7 +357,7 @@ namespace Catena
     if (!std::isfinite(solution.l2_norm()))
       throw SolverError("The flow solver gave values that are not finite.");
 
-    extract(solution, set, fields);
+    unknowns().extract(solution, set, fields);
     return iterations;
   }
 
@@ -521,82 +385,6 @@ namespace Catena
 
 
   template <int dim>
-  void
-  FlowSolver<dim>::extract_velocity(const BlockVectorType &solution,
-                                    FlowFields<dim>       &fields) const
-  {
-    std::vector<double> motions;
-    if (matrices->n_rigid() > 0)
-      motions = replicate(solution.block(2));
-    if (mesh->scene().pressure_driven())
-      fields.pressure_drop = motions.back();
-
-    VectorType disturbance = mesh->vector_field();
-    disturbance.copy_locally_owned_data_from(solution.block(0));
-    disturbance.update_ghost_values();
-    fields.velocity = mesh->vector_field();
-    for (const auto node : mesh->owned_nodes())
-      {
-        Point<dim> x;
-        for (unsigned int d = 0; d < dim; ++d)
-          x[d] = mesh->positions()(dim * node + d);
-        const Tensor<1, dim> imposed =
-          configuration.shear_rate * mesh->scene().imposed_velocity(x);
-        const auto &coupling = couplings[node];
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            double value = imposed[d] + coupling.known[d];
-            if (coupling.factors[d] != 0.)
-              value +=
-                coupling.factors[d] * disturbance(dim * coupling.master + d);
-            for (const auto &motion : coupling.motions[d])
-              value += motion.second * motions[motion.first];
-            fields.velocity(dim * node + d) = value;
-          }
-      }
-    fields.velocity.update_ghost_values();
-
-    const auto references =
-      reference_motions<dim>(mesh->scene(), configuration, held);
-    fields.motions = bodies->motions(motions);
-    for (unsigned int i = 0; i < fields.motions.size(); ++i)
-      {
-        fields.motions[i].velocity += references[i].velocity;
-        fields.motions[i].angular_velocity += references[i].angular_velocity;
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  FlowSolver<dim>::extract(const BlockVectorType   &solution,
-                           const std::vector<bool> &set,
-                           FlowFields<dim>         &fields) const
-  {
-    extract_velocity(solution, fields);
-
-    VectorType masters = mesh->scalar_field();
-    masters.copy_locally_owned_data_from(solution.block(1));
-    masters.update_ghost_values();
-    fields.pressure = mesh->scalar_field();
-    for (const auto vertex : mesh->owned_scalars())
-      fields.pressure(vertex) = masters(mesh->vertex_of_node(
-        mesh->identification().master(mesh->node_of_vertex(vertex))));
-    fields.pressure.update_ghost_values();
-
-    std::vector<double> forces;
-    if (solution.n_blocks() > 3)
-      forces = replicate(solution.block(3));
-    fields.contact_forces.assign(set.size(), 0.);
-    for (unsigned int c = 0, row = 0; c < set.size(); ++c)
-      if (set[c])
-        fields.contact_forces[c] = forces[row++];
-  }
-
-
-
-  template <int dim>
   types::global_dof_index
   FlowSolver<dim>::n_unknowns() const
   {
@@ -614,7 +402,7 @@ namespace Catena
       Utilities::MPI::n_mpi_processes(mesh->communicator());
     unsigned int n_ranks = here;
     archive(preconditioner_is_due, best_rate, iterations_lost, n_ranks);
-    earlier_solutions.archive(archive, make_vector(0));
+    earlier_solutions.archive(archive, unknowns().make_vector(0));
     // of identified nodes other ones carry the unknowns on other ranks
     if (n_ranks != here)
       earlier_solutions.clear();

@@ -16,8 +16,9 @@ namespace Catena
    *   x = x_0 + sum_i alpha_i (x_i - x_0)
    *
    * it becomes the one with the smallest residual |b - A x|. That is at least
-   * as good as every extrapolation in time through these solutions, and costs
-   * one product with A for each.
+   * as good as every extrapolation in time through these solutions, but for
+   * directions that would change the residual by less than a thousandth of it,
+   * and costs one product with A for each.
    */
   template <int dim>
   class EarlierSolutions

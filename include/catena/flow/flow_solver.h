@@ -4,6 +4,7 @@
 #include <catena/flow/earlier_solutions.h>
 #include <catena/flow/flow_matrices.h>
 #include <catena/flow/flow_preconditioner.h>
+#include <catena/flow/flow_unknowns.h>
 #include <catena/particles/contacts.h>
 #include <catena/scene/configuration.h>
 
@@ -31,31 +32,6 @@ namespace Catena
     /// @throws InputError
     void
     check() const;
-  };
-
-
-
-  /**
-   * Velocity and pressure of an instant with the motions of the particles and
-   * the forces in their contacts. Units a gamma, eta0 gamma, and
-   * eta0 gamma a^2 for forces.
-   */
-  template <int dim>
-  struct FlowFields
-  {
-    VectorType                    velocity;
-    VectorType                    pressure;
-    std::vector<RigidMotion<dim>> motions;
-    /// F_r >= 0, by candidate contact
-    std::vector<double> contact_forces;
-    /**
-     * P, by which the pressure falls along a period of a pressure-driven
-     * scene: it is `pressure` - P x/L.
-     */
-    double pressure_drop = 0.;
-    /// force and torque that hold each particle in place, by rigid-body
-    /// unknown, see particle_forces(); found when a particle is held
-    std::vector<double> reactions;
   };
 
 
@@ -230,25 +206,11 @@ namespace Catena
     void
     set_configuration(const Configuration<dim> &configuration);
 
+    FlowUnknowns<dim>
+    unknowns() const;
+
     void
     assemble_matrices();
-
-    ContactBlocks
-    contact_blocks(const std::vector<Contact<dim>> &contacts) const;
-
-    BlockVectorType
-    make_vector(const unsigned int n_contacts) const;
-
-    BlockVectorType
-    right_hand_side(const ContactBlocks       &contacts,
-                    const std::vector<double> &external_forces) const;
-
-    BlockVectorType
-    first_guess(const FlowFields<dim>     &fields,
-                const std::vector<double> &contact_forces) const;
-
-    std::vector<double>
-    global_unknowns(const FlowFields<dim> &fields) const;
 
     double
     target(const BlockVectorType &rhs) const;
@@ -259,9 +221,6 @@ namespace Catena
                const std::vector<double> &external_forces,
                FlowFields<dim>           &fields);
 
-    void
-    normalise_pressure(VectorType &pressure) const;
-
     unsigned int
     iterate(BlockVectorType       &solution,
             const BlockVectorType &rhs,
@@ -269,15 +228,6 @@ namespace Catena
 
     void
     judge_preconditioner(const unsigned int iterations);
-
-    void
-    extract(const BlockVectorType   &solution,
-            const std::vector<bool> &set,
-            FlowFields<dim>         &fields) const;
-
-    void
-    extract_velocity(const BlockVectorType &solution,
-                     FlowFields<dim>       &fields) const;
   };
 } // namespace Catena
 
