@@ -53,18 +53,23 @@ namespace Catena
         for (unsigned int i = 0; i < masks.size(); ++i)
           masks[i] |= interpolation.node_masks[i];
 
-        SparseRows rows = owned_rows(group->matrix);
-        corrections.emplace_back(NodeMatrix(rows, nodes),
-                                 interpolation.prolongation,
-                                 interpolation.vertex_masks,
-                                 comm);
-        if (group != matrices.component_matrices.front())
+        const auto add_correction = [&](const NodeMatrix &matrix) {
+          corrections.emplace_back(matrix,
+                                   interpolation.prolongation,
+                                   interpolation.vertex_masks,
+                                   comm);
+        };
+        if (group == matrices.component_matrices.front())
           {
-            FieldMask fields = 0;
-            for (const unsigned int component : group->components)
-              fields |= 1U << component;
-            others.push_back({fields, std::move(rows)});
+            add_correction(shared);
+            continue;
           }
+        FieldMask fields = 0;
+        for (const unsigned int component : group->components)
+          fields |= 1U << component;
+        SparseRows rows = owned_rows(group->matrix);
+        add_correction(NodeMatrix(rows, nodes));
+        others.push_back({fields, std::move(rows)});
       }
     finest = std::make_unique<MultigridLevel>(
       shared,
