@@ -19,6 +19,7 @@
  */
 
 #include <catena/flow/earlier_solutions.h>
+#include <catena/flow/flow_assembly.h>
 #include <catena/flow/flow_operator.h>
 #include <catena/flow/flow_preconditioner.h>
 #include <catena/flow/velocity_constraints.h>
@@ -281,10 +282,8 @@ namespace
     {
       configuration = step.configuration;
       find_couplings();
-      matrices->assemble(couplings,
-                         stress,
-                         Scene<3>::imposed_gradient(),
-                         false);
+      FlowAssembly<3>(mesh, bodies, couplings, *matrices)
+        .assemble(stress, Scene<3>::imposed_gradient(), false);
       earlier_solutions.begin_instant();
     }
 

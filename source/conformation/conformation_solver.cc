@@ -171,7 +171,8 @@ namespace Catena
                 known += source(x);
               }
 
-            // 2|w|/h for the element length h along w
+            // of elements, 2|w|/h for their length h along w; and of the
+            // material
             double                         crossing_rate = 0.;
             std::array<double, n_vertices> along_w;
             for (unsigned int v = 0; v < n_vertices; ++v)
@@ -179,8 +180,10 @@ namespace Catena
                 along_w[v] = w * point.linear_gradient[v];
                 crossing_rate += std::abs(along_w[v]);
               }
+            const double material_rate =
+              4. * (1. / model.relaxation_time() + L.norm());
+            const double tau  = 1. / std::hypot(material_rate, crossing_rate);
             const double rate = bdf.a0 / step.dt + relaxation;
-            const double tau  = 1. / std::hypot(rate, crossing_rate);
 
             for (unsigned int v = 0; v < n_vertices; ++v)
               {

@@ -1,5 +1,5 @@
+#include <catena/base/replicated.h>
 #include <catena/flow/earlier_solutions.h>
-#include <catena/flow/flow_preconditioner.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -1,5 +1,5 @@
+#include <catena/base/replicated.h>
 #include <catena/flow/flow_operator.h>
-#include <catena/flow/flow_preconditioner.h>
 
 #include <deal.II/base/mpi.h>
 

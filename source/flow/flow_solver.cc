@@ -1,4 +1,5 @@
 #include <catena/base/exceptions.h>
+#include <catena/flow/flow_assembly.h>
 #include <catena/flow/flow_operator.h>
 #include <catena/flow/flow_solver.h>
 #include <catena/flow/velocity_constraints.h>
@@ -139,12 +140,11 @@ namespace Catena
   void
   FlowSolver<dim>::assemble_matrices()
   {
-    matrices->assemble(couplings,
-                       *last_stress,
-                       configuration.shear_rate *
-                         mesh->scene().imposed_gradient(),
-                       preconditioner_is_due,
-                       last_force);
+    FlowAssembly<dim>(*mesh, *bodies, couplings, *matrices)
+      .assemble(*last_stress,
+                configuration.shear_rate * mesh->scene().imposed_gradient(),
+                preconditioner_is_due,
+                last_force);
     if (!std::isfinite(matrices->velocity_rhs.l2_norm()))
       throw SolverError("The stress has values that are not finite: use a "
                         "smaller time step or a finer mesh.");

@@ -1,4 +1,4 @@
-#include <catena/flow/flow_preconditioner.h>
+#include <catena/base/replicated.h>
 #include <catena/flow/flow_unknowns.h>
 #include <catena/flow/velocity_constraints.h>
 

@@ -180,6 +180,7 @@ namespace Catena
     stiffness.vmult(residual, owned_displacement);
 
     VectorType folded = mesh.scalar_field();
+    folded.zero_out_ghost_values();
     for (const auto vertex : mesh.owned_scalars())
       folded(master(vertex)) -= problem.factors[vertex] * residual(vertex);
     folded.compress(VectorOperation::add);

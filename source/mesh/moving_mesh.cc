@@ -327,6 +327,18 @@ namespace Catena
 
 
 
+  template <int dim>
+  VectorType
+  MovingMesh<dim>::zero_field(const IndexSet &owned,
+                              const IndexSet &relevant) const
+  {
+    VectorType field(owned, relevant, communicator());
+    field.update_ghost_values();
+    return field;
+  }
+
+
+
   template class MovingMesh<2>;
   template class MovingMesh<3>;
 } // namespace Catena

@@ -124,8 +124,12 @@ namespace Catena
     now.flow.reactions.assign(bodies.n_unknowns(), 0.);
 
     if (parameters.viscoelastic())
-      for (unsigned int k = 0; k < n_symmetric_components(dim); ++k)
-        now.log_conformation.push_back(mesh().scalar_field());
+      {
+        // sized first: a copied vector loses its ghost values
+        now.log_conformation.resize(n_symmetric_components(dim));
+        for (VectorType &component : now.log_conformation)
+          component = mesh().scalar_field();
+      }
     else
       {
         solve_flow(now, TimeStep(), VectorType());

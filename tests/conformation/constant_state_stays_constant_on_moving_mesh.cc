@@ -46,7 +46,7 @@ public:
     , x_now(mesh.positions())
     , x_before(mesh.positions())
     , now(interpolate_tensor<dim>(mesh, mesh.positions(), state))
-    , before(now)
+    , before(interpolate_tensor<dim>(mesh, mesh.positions(), state))
   {
     solver.reinit(mesh);
   }

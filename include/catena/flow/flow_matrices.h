@@ -4,13 +4,11 @@
 #include <catena/base/csr_access.h>
 #include <catena/base/types.h>
 #include <catena/flow/block_product.h>
-#include <catena/flow/flow_element.h>
 #include <catena/flow/node_couplings.h>
 #include <catena/flow/rigid_product.h>
-#include <catena/flow/stress_model.h>
 #include <catena/particles/rigid_bodies.h>
 
-#include <deal.II/base/function.h>
+#include <deal.II/base/index_set.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
@@ -49,7 +47,7 @@ namespace Catena
    *   [ B    0    D ] [p ] = [g]
    *   [ R    D^T  S ] [r ]   [h].
    *
-   * Rows are assembled by the rank that owns them, no rank waits for another.
+   * FlowAssembly fills them.
    */
   template <int dim>
   class FlowMatrices
@@ -63,21 +61,13 @@ namespace Catena
                  const RigidBodies<dim>               &bodies,
                  const std::vector<NodeCoupling<dim>> &couplings);
 
-    /**
-     * Assemble everything at the mesh's current positions.
-     *
-     * @param imposed_gradient gradient L_0 of the flow the disturbance is
-     * counted against
-     * @param with_preconditioner also the component matrices and the scaled
-     * pressure mass matrix
-     * @param body_force optional force per volume, for tests
-     */
+    /// Set all to zero; component_matrices and pressure_mass only if asked.
     void
-    assemble(const std::vector<NodeCoupling<dim>> &couplings,
-             const StressModel<dim>               &stress,
-             const dealii::Tensor<2, dim>         &imposed_gradient,
-             const bool                            with_preconditioner,
-             const dealii::Function<dim>          *body_force = nullptr);
+    clear(const bool with_preconditioner);
+
+    /// Take over what the sparse blocks now are into the products.
+    void
+    update_products();
 
     /// Number of unknowns r: the rigid-body unknowns, then P if there is one.
     unsigned int
@@ -122,11 +112,7 @@ namespace Catena
     };
     std::vector<std::unique_ptr<ComponentMatrix>> component_matrices;
 
-  private:
-    const MovingMesh<dim>  &mesh;
-    const RigidBodies<dim> &bodies;
-    dealii::IndexSet        rigid_owned, rigid_relevant;
-
+    /// Where the entries of the sparse blocks are stored.
     CsrAccess velocity_access, gradient_access, divergence_access,
       velocity_rigid_access, rigid_velocity_access, pressure_rigid_access,
       mass_access;
@@ -144,13 +130,20 @@ namespace Catena
       std::array<std::array<unsigned short, n_nodes>, n_vertices> divergence;
       std::array<std::array<unsigned short, n_nodes>, n_vertices> gradient;
     };
+    /// by cell of the mesh
     std::vector<Offsets> offsets;
+
+    /// The vertex whose pressure a vertex has.
+    unsigned int
+    pressure_master(const unsigned int vertex) const;
+
+  private:
+    const MovingMesh<dim>  &mesh;
+    const RigidBodies<dim> &bodies;
+    dealii::IndexSet        rigid_owned, rigid_relevant;
 
     void
     find_offsets(const std::vector<NodeCoupling<dim>> &couplings);
-
-    unsigned int
-    pressure_master(const unsigned int vertex) const;
 
     void
     make_patterns(const std::vector<NodeCoupling<dim>> &couplings);
@@ -163,31 +156,6 @@ namespace Catena
     void
     make_component_matrices(const std::vector<NodeCoupling<dim>> &couplings,
                             const dealii::DynamicSparsityPattern &nodes);
-
-    void
-    add_velocity_block(const FlowElement<dim> &element, const Offsets &offset);
-
-    void
-    add_pressure_blocks(const FlowElement<dim> &element, const Offsets &offset);
-
-    void
-    add_rigid_blocks(const FlowElement<dim> &element);
-
-    void
-    add_pressure_drop(const FlowElement<dim> &element);
-
-    void
-    add_pressure_drop_on_particles();
-
-    void
-    add_right_hand_side(const FlowElement<dim> &element);
-
-    void
-    add_preconditioner(const FlowElement<dim> &element, const Offsets &offset);
-
-    void
-    finish(const std::vector<NodeCoupling<dim>> &couplings,
-           const bool                            with_preconditioner);
   };
 } // namespace Catena
 

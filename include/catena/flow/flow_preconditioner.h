@@ -81,15 +81,6 @@ namespace Catena
     initialize_rigid();
   };
 
-
-
-  /// The values of a block that rank 0 owns, on every rank.
-  std::vector<double>
-  replicate(const VectorType &block);
-
-  /// Set a block that rank 0 owns.
-  void
-  set_replicated(VectorType &block, const std::vector<double> &values);
 } // namespace Catena
 
 #endif

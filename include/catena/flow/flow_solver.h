@@ -5,9 +5,11 @@
 #include <catena/flow/flow_matrices.h>
 #include <catena/flow/flow_preconditioner.h>
 #include <catena/flow/flow_unknowns.h>
+#include <catena/flow/stress_model.h>
 #include <catena/particles/contacts.h>
 #include <catena/scene/configuration.h>
 
+#include <deal.II/base/function.h>
 #include <deal.II/base/parameter_handler.h>
 
 #include <deal.II/lac/affine_constraints.h>

@@ -153,14 +153,14 @@ namespace Catena
     VectorType
     vector_field() const
     {
-      return VectorType(owned_vectors(), vectors_relevant, communicator());
+      return zero_field(owned_vectors(), vectors_relevant);
     }
 
     /// A scalar field with ghost values, zero.
     VectorType
     scalar_field() const
     {
-      return VectorType(owned_scalars(), scalars_relevant, communicator());
+      return zero_field(owned_scalars(), scalars_relevant);
     }
 
     bool
@@ -316,6 +316,10 @@ namespace Catena
 
     void
     select_cells(const std::vector<Cell> &all_cells);
+
+    VectorType
+    zero_field(const dealii::IndexSet &owned,
+               const dealii::IndexSet &relevant) const;
   };
 } // namespace Catena
 
