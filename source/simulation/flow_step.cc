@@ -73,16 +73,19 @@ namespace Catena
 
 
   /**
+   * The stress of a fluid for which it is linear in the new velocity.
    * References to all but the step are kept.
    */
   template <int dim>
   std::unique_ptr<StressModel<dim>>
-  FlowStep<dim>::viscoelastic_stress(
+  FlowStep<dim>::linear_stress(
     const TimeStep                &step,
     const std::vector<VectorType> &log_conformation,
     const std::vector<VectorType> &old_log_conformation,
     const Motion                  &motion) const
   {
+    if (!parameters.viscoelastic())
+      return std::make_unique<NewtonianStress<dim>>();
     return std::make_unique<StressPrediction<dim>>(
       Giesekus<dim>(parameters.fluid.giesekus),
       step,
@@ -162,14 +165,10 @@ namespace Catena
                               const std::vector<double>       &external_forces)
   {
     const Motion motion = this->motion(next, step, now, mesh_velocity);
-    std::unique_ptr<StressModel<dim>> model;
-    if (parameters.viscoelastic())
-      model = viscoelastic_stress(step,
-                                  now.log_conformation,
-                                  before.log_conformation,
-                                  motion);
-    else
-      model = std::make_unique<NewtonianStress<dim>>();
+    const auto   model  = linear_stress(step,
+                                     now.log_conformation,
+                                     before.log_conformation,
+                                     motion);
     {
       const auto timer = run_report.time("flow: assembly");
       flow_solver.assemble(next.configuration, *model);
@@ -234,24 +233,16 @@ namespace Catena
       component = mesh->scalar_field();
 
     std::unique_ptr<StressModel<dim>> model;
-    switch (parameters.fluid.model)
-      {
-        case FluidParameters::Model::giesekus:
-          model = viscoelastic_stress(instant.step,
-                                      instant.log_conformation,
-                                      instant.old_log_conformation,
-                                      rest);
-          break;
-        case FluidParameters::Model::carreau:
-          model =
-            std::make_unique<CarreauStress<dim>>(Carreau(
-                                                   parameters.fluid.carreau),
-                                                 instant.velocity,
-                                                 instant.linearisation);
-          break;
-        default:
-          model = std::make_unique<NewtonianStress<dim>>();
-      }
+    if (nonlinear_solver)
+      model =
+        std::make_unique<CarreauStress<dim>>(Carreau(parameters.fluid.carreau),
+                                             instant.velocity,
+                                             instant.linearisation);
+    else
+      model = linear_stress(instant.step,
+                            instant.log_conformation,
+                            instant.old_log_conformation,
+                            rest);
     flow_solver.assemble(instant.configuration, *model);
   }
 

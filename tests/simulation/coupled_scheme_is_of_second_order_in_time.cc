@@ -4,8 +4,8 @@
 //
 // The errors of the mesh also depend on the time step, to first order: the
 // stress is predicted from a field that satisfies the transport equation only
-// in the mean over elements, and the SUPG weight is made with the time step.
-// On a coarse mesh that is what is left; it must fall with the element size.
+// in the mean over elements. On a coarse mesh that is what is left; it must
+// fall with the element size.
 
 #include <string>
 

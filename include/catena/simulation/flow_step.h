@@ -110,10 +110,10 @@ namespace Catena
            const VectorType &mesh_velocity) const;
 
     std::unique_ptr<StressModel<dim>>
-    viscoelastic_stress(const TimeStep                &step,
-                        const std::vector<VectorType> &log_conformation,
-                        const std::vector<VectorType> &old_log_conformation,
-                        const Motion                  &motion) const;
+    linear_stress(const TimeStep                &step,
+                  const std::vector<VectorType> &log_conformation,
+                  const std::vector<VectorType> &old_log_conformation,
+                  const Motion                  &motion) const;
 
     /// Does the stress of a step have a part with the smooth rate of strain?
     bool
