@@ -181,7 +181,7 @@ namespace Catena
                 crossing_rate += std::abs(along_w[v]);
               }
             const double material_rate =
-              4. * (1. / model.relaxation_time() + L.norm());
+              1. / model.relaxation_time() + L.norm();
             const double tau  = 1. / std::hypot(material_rate, crossing_rate);
             const double rate = bdf.a0 / step.dt + relaxation;
 

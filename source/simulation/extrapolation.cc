@@ -77,7 +77,7 @@ namespace Catena
     std::vector<VectorType> result(now.size());
     for (unsigned int k = 0; k < now.size(); ++k)
       result[k] =
-        weights.b1 != 0. ? combine(weights, now[k], before[k]) : now[k];
+        combine(weights, now[k], weights.b1 != 0. ? before[k] : now[k]);
     return result;
   }
 

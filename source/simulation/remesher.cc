@@ -1,4 +1,5 @@
 #include <catena/base/exceptions.h>
+#include <catena/base/replace_field.h>
 #include <catena/conformation/entropy_projection.h>
 #include <catena/mesh/field_transfer.h>
 #include <catena/rheology/spectral.h>
@@ -343,17 +344,21 @@ namespace Catena
                                           level->positions,
                                           mesh,
                                           positions);
-        level->positions = positions;
+        replace_field(level->positions, positions);
         if (level->flow.velocity.size() > 0)
           {
-            level->flow.velocity = transfer.vector(level->flow.velocity);
-            level->flow.pressure = transfer.scalar(level->flow.pressure);
+            replace_field(level->flow.velocity,
+                          transfer.vector(level->flow.velocity));
+            replace_field(level->flow.pressure,
+                          transfer.scalar(level->flow.pressure));
           }
         if (!level->log_conformation.empty())
           level->log_conformation = transfer_conformation(
             transfer, level->log_conformation, mesh, positions);
       }
     mesh.set_positions(final_positions);
+    // no field of the old mesh is assigned to, see replace_field()
+    state = State<dim>();
     state = std::move(fresh);
     next  = fresh_next;
   }

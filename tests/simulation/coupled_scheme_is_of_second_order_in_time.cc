@@ -139,7 +139,7 @@ main(int argc, char **argv)
                         1.9);
         claims.at_most(name + ", that part goes with the mesh",
                        fine[i].first_order() / coarse[i].first_order(),
-                       1. / 10.);
+                       1. / 3.);
       }
   });
 }

@@ -50,7 +50,7 @@ namespace Catena
    * 4/3 of 1/dt, and with k always. P1 elements; streamline-upwind
    * Petrov-Galerkin test functions
    *
-   *   v + tau w.grad v,  tau = ((4/lambda + 4|L|)^2 + (2|w|/h)^2)^(-1/2),
+   *   v + tau w.grad v,  tau = ((1/lambda + |L|)^2 + (2|w|/h)^2)^(-1/2),
    *
    * h being the element length along w. tau has the rates of the material and
    * not that of the step: the solution at a point of time would otherwise
