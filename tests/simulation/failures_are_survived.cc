@@ -25,7 +25,7 @@ namespace
   SimulationParameters
   parameters_of_run()
   {
-    auto parameters = Tests::three_discs_parameters(0.5, 0.08);
+    auto parameters = Tests::three_discs_parameters(0.4, 0.08);
     parameters.fluid.giesekus.weissenberg_number = 0.4;
     parameters.minimal_gap                       = 0.11;
     parameters.final_strain                      = 1.6;
