@@ -1,4 +1,5 @@
 #include <catena/base/exceptions.h>
+#include <catena/base/replace_field.h>
 #include <catena/flow/nonlinear_flow_solver.h>
 
 #include <algorithm>
@@ -186,8 +187,8 @@ namespace Catena
                                       Iterate            &x,
                                       const Linearisation new_form)
   {
-    linearisation_point = x.fields.velocity;
-    form                = new_form;
+    replace_field(linearisation_point, x.fields.velocity);
+    form = new_form;
     stress =
       std::make_unique<CarreauStress<dim>>(model, linearisation_point, form);
     flow_solver.assemble(problem.configuration, *stress, problem.body_force);
@@ -204,8 +205,9 @@ namespace Catena
   {
     if (!flow_solver.has_fresh_preconditioner())
       return;
-    point_of_preconditioner = {linearisation_point, form};
-    new_preconditioner      = true;
+    replace_field(point_of_preconditioner.velocity, linearisation_point);
+    point_of_preconditioner.form = form;
+    new_preconditioner           = true;
   }
 
 

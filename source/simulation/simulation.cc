@@ -1,4 +1,5 @@
 #include <catena/base/exceptions.h>
+#include <catena/base/replace_field.h>
 #include <catena/flow/velocity_constraints.h>
 #include <catena/output/progress.h>
 #include <catena/simulation/extrapolation.h>
@@ -473,7 +474,7 @@ namespace Catena
         const auto timer = run_report.time("mesh generation and transfer");
         inject(StepPart::mesh_generation, next);
         remesher.remesh(state, next.configuration);
-        next.positions = mesh().positions();
+        replace_field(next.positions, mesh().positions());
       }
     catch (const MeshError &error)
       {
