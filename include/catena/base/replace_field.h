@@ -6,7 +6,8 @@
 namespace Catena
 {
   /**
-   * Put a field of another mesh, with its ghost values, in place of @p field.
+   * Put a field of another mesh in place of @p field and import its ghost
+   * values, whether or not @p other has them.
    *
    * Assigned to, a vector keeps the ghost indices it has if both own the same
    * range on each rank, as fields of different meshes may.
@@ -16,6 +17,7 @@ namespace Catena
   {
     field.reinit(0);
     field = other;
+    field.update_ghost_values();
   }
 } // namespace Catena
 
