@@ -171,8 +171,7 @@ namespace Catena
                 known += source(x);
               }
 
-            // of elements, 2|w|/h for their length h along w; and of the
-            // material
+            // 2|w|/h for the element length h along w
             double                         crossing_rate = 0.;
             std::array<double, n_vertices> along_w;
             for (unsigned int v = 0; v < n_vertices; ++v)

@@ -1,6 +1,7 @@
 #include <catena/base/replicated.h>
 #include <catena/flow/flow_unknowns.h>
 #include <catena/flow/velocity_constraints.h>
+#include <catena/mesh/cell_fields.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -15,11 +16,9 @@ namespace Catena
     Tensor<1, dim>
     imposed_velocity(const FlowUnknowns<dim> &unknowns, const unsigned int node)
     {
-      Point<dim> x;
-      for (unsigned int d = 0; d < dim; ++d)
-        x[d] = unknowns.mesh.positions()(dim * node + d);
       return unknowns.configuration.shear_rate *
-             unknowns.mesh.scene().imposed_velocity(x);
+             unknowns.mesh.scene().imposed_velocity(
+               node_position<dim>(unknowns.mesh.positions(), node));
     }
   } // namespace
 

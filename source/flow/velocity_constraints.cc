@@ -1,4 +1,5 @@
 #include <catena/flow/velocity_constraints.h>
+#include <catena/mesh/cell_fields.h>
 
 namespace Catena
 {
@@ -49,9 +50,7 @@ namespace Catena
     for (const auto node : mesh.relevant_nodes())
       {
         const unsigned int particle = mesh.particle(node);
-        Point<dim>         x;
-        for (unsigned int d = 0; d < dim; ++d)
-          x[d] = mesh.positions()(dim * node + d);
+        const Point<dim>   x = node_position<dim>(mesh.positions(), node);
 
         if (particle != MovingMesh<dim>::no_particle)
           {

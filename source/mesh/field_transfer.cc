@@ -1,4 +1,5 @@
 #include <catena/base/exceptions.h>
+#include <catena/mesh/cell_fields.h>
 #include <catena/mesh/cell_values.h>
 #include <catena/mesh/field_transfer.h>
 #include <catena/mesh/quadratic_shape.h>
@@ -73,11 +74,9 @@ namespace Catena
     double farthest = 0.;
     for (const auto node : target.owned_nodes())
       {
-        Point<dim> x;
-        for (unsigned int d = 0; d < dim; ++d)
-          x[d] = target_positions(dim * node + d);
         double violation = 0.;
-        node_places.push_back(find(x, violation));
+        node_places.push_back(
+          find(node_position<dim>(target_positions, node), violation));
         farthest = std::max(farthest, violation);
       }
     farthest = Utilities::MPI::max(farthest, target.communicator());

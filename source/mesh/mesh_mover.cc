@@ -1,4 +1,5 @@
 #include <catena/base/exceptions.h>
+#include <catena/mesh/cell_fields.h>
 #include <catena/mesh/mesh_mover.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -179,8 +180,8 @@ namespace Catena
     owned_displacement.copy_locally_owned_data_from(displacement);
     stiffness.vmult(residual, owned_displacement);
 
-    VectorType folded = mesh.scalar_field();
-    folded.zero_out_ghost_values();
+    VectorType folded;
+    folded.reinit(displacement);
     for (const auto vertex : mesh.owned_scalars())
       folded(master(vertex)) -= problem.factors[vertex] * residual(vertex);
     folded.compress(VectorOperation::add);
@@ -227,9 +228,8 @@ namespace Catena
               const unsigned int node = mesh.node_of_vertex(vertex);
               if (mesh.particle(node) == MovingMesh<dim>::no_particle)
                 continue;
-              Point<dim> point;
-              for (unsigned int e = 0; e < dim; ++e)
-                point[e] = mesh.reference_positions()(dim * node + e);
+              const Point<dim> point =
+                node_position<dim>(mesh.reference_positions(), node);
               displacement(vertex) =
                 particle_displacement(node, point, configuration)[d];
             }
@@ -240,9 +240,8 @@ namespace Catena
     VectorType positions = mesh.vector_field();
     for (const auto node : mesh.owned_nodes())
       {
-        Point<dim> point;
-        for (unsigned int d = 0; d < dim; ++d)
-          point[d] = mesh.reference_positions()(dim * node + d);
+        const Point<dim> point =
+          node_position<dim>(mesh.reference_positions(), node);
         Tensor<1, dim> displacement;
         if (mesh.particle(node) != MovingMesh<dim>::no_particle)
           displacement = particle_displacement(node, point, configuration);

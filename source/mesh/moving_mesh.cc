@@ -333,8 +333,22 @@ namespace Catena
                               const IndexSet &relevant) const
   {
     VectorType field(owned, relevant, communicator());
-    field.update_ghost_values();
+    // ghosts of zeros need no message
+    field.set_ghost_state(true);
     return field;
+  }
+
+
+
+  template <int dim>
+  std::vector<VectorType>
+  MovingMesh<dim>::tensor_field() const
+  {
+    // sized first: a vector copied when the list grows loses its ghost values
+    std::vector<VectorType> components(n_symmetric_components(dim));
+    for (VectorType &component : components)
+      component = scalar_field();
+    return components;
   }
 
 

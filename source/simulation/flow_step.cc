@@ -227,10 +227,7 @@ namespace Catena
     Motion rest;
     rest.convection = mesh->vector_field();
     if (parameters.viscoelastic() && has_numerical_viscosity(instant.step))
-      rest.smooth_strain_rate =
-        std::vector<VectorType>(n_symmetric_components(dim));
-    for (VectorType &component : rest.smooth_strain_rate)
-      component = mesh->scalar_field();
+      rest.smooth_strain_rate = mesh->tensor_field();
 
     std::unique_ptr<StressModel<dim>> model;
     if (nonlinear_solver)

@@ -1,6 +1,7 @@
 #include <catena/base/exceptions.h>
 #include <catena/base/replace_field.h>
 #include <catena/flow/velocity_constraints.h>
+#include <catena/mesh/cell_fields.h>
 #include <catena/output/progress.h>
 #include <catena/simulation/extrapolation.h>
 #include <catena/simulation/simulation.h>
@@ -111,11 +112,9 @@ namespace Catena
     now.flow.velocity = mesh().vector_field();
     for (const auto node : mesh().owned_nodes())
       {
-        Point<dim> x;
-        for (unsigned int d = 0; d < dim; ++d)
-          x[d] = now.positions(dim * node + d);
         const Tensor<1, dim> imposed =
-          now.configuration.shear_rate * scene.imposed_velocity(x);
+          now.configuration.shear_rate *
+          scene.imposed_velocity(node_position<dim>(now.positions, node));
         for (unsigned int d = 0; d < dim; ++d)
           now.flow.velocity(dim * node + d) = imposed[d];
       }
@@ -125,12 +124,7 @@ namespace Catena
     now.flow.reactions.assign(bodies.n_unknowns(), 0.);
 
     if (parameters.viscoelastic())
-      {
-        // sized first: a copied vector loses its ghost values
-        now.log_conformation.resize(n_symmetric_components(dim));
-        for (VectorType &component : now.log_conformation)
-          component = mesh().scalar_field();
-      }
+      now.log_conformation = mesh().tensor_field();
     else
       {
         solve_flow(now, TimeStep(), VectorType());

@@ -1,5 +1,6 @@
 #include <catena/base/exceptions.h>
 #include <catena/conformation/conformation_change.h>
+#include <catena/mesh/cell_fields.h>
 #include <catena/simulation/step_error.h>
 
 #include <deal.II/base/mpi.h>
@@ -69,8 +70,8 @@ namespace Catena
         }
       Point<dim> place;
       if (largest >= 0.)
-        for (unsigned int d = 0; d < dim; ++d)
-          place[d] = mesh.positions()(dim * mesh.node_of_vertex(vertex) + d);
+        place =
+          node_position<dim>(mesh.positions(), mesh.node_of_vertex(vertex));
       const auto owner =
         Utilities::MPI::min_max_avg(largest, mesh.communicator()).max_index;
       return Utilities::MPI::broadcast(mesh.communicator(), place, owner);

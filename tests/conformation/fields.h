@@ -43,18 +43,6 @@ namespace Catena
 
 
 
-    template <int dim>
-    dealii::Point<dim>
-    node_position(const VectorType &positions, const unsigned int node)
-    {
-      dealii::Point<dim> x;
-      for (unsigned int d = 0; d < dim; ++d)
-        x[d] = positions(dim * node + d);
-      return x;
-    }
-
-
-
     /// The P2 interpolant of a vector at the nodes at @p positions.
     template <int dim>
     VectorType

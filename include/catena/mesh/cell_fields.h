@@ -12,6 +12,19 @@
 
 namespace Catena
 {
+  /// Where a node is, by a field of positions.
+  template <int dim>
+  dealii::Point<dim>
+  node_position(const VectorType &positions, const unsigned int node)
+  {
+    dealii::Point<dim> position;
+    for (unsigned int d = 0; d < dim; ++d)
+      position[d] = positions(dim * node + d);
+    return position;
+  }
+
+
+
   /**
    * Values of a symmetric tensor field at the vertices of a cell.
    * @param components in the order of deal.II's SymmetricTensor

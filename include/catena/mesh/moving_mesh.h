@@ -163,6 +163,10 @@ namespace Catena
       return zero_field(owned_scalars(), scalars_relevant);
     }
 
+    /// Components of a symmetric tensor field with ghost values, zero.
+    std::vector<VectorType>
+    tensor_field() const;
+
     bool
     on_boundary(const unsigned int               node,
                 const dealii::types::boundary_id id) const
