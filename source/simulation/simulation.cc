@@ -228,8 +228,7 @@ namespace Catena
     step.previous_dt = state.last_dt;
     try
       {
-        take_step(step, next, report);
-        return step_control.accept(step.dt, report.error);
+        return step_control.accept(step.dt, take_step(step, next, report));
       }
     catch (const SolverError &error)
       {
@@ -248,7 +247,7 @@ namespace Catena
    * @throws SolverError or MeshError
    */
   template <int dim>
-  void
+  StepError
   Simulation<dim>::take_step(const TimeStep &step,
                              Level<dim>     &next,
                              StepReport     &report)
@@ -270,11 +269,13 @@ namespace Catena
           solve_conformation(next, step, velocity_of_mesh);
         inject(StepPart::conformation, next);
       }
-    report.dt    = step.dt;
-    report.error = step_error<dim>(state, next, predicted, step, held);
+    report.dt             = step.dt;
+    const StepError error = step_error<dim>(state, next, predicted, step, held);
+    report.error          = error.local;
     if (conformation_solver)
       report.extremes =
         conformation_extremes<dim>(mesh(), next.log_conformation);
+    return error;
   }
 
 

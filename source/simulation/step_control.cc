@@ -12,7 +12,8 @@ namespace Catena
   {
     constexpr double safety = 0.9;
     /// error of a rejected step, in tolerances
-    constexpr double too_much = 2.;
+    constexpr double too_much      = 2.;
+    constexpr double wanted_change = 0.5;
     /// BDF2 is stable for steps that grow by up to 2.4
     constexpr double largest_growth = 1.5;
     constexpr double least_growth   = 0.3;
@@ -81,15 +82,19 @@ namespace Catena
 
 
   bool
-  StepControl::accept(const double dt, const double error)
+  StepControl::accept(const double dt, const StepError &error)
   {
     const bool controlled = parameters.tolerance > 0.;
     double     factor     = may_grow ? largest_growth : 1.;
-    if (controlled && error > 0.)
-      factor = std::clamp(safety * std::cbrt(parameters.tolerance / error),
-                          least_growth,
-                          factor);
-    if (controlled && error > too_much * parameters.tolerance &&
+    // an error of zero wants an infinite step
+    if (controlled)
+      factor =
+        std::clamp(std::min(safety *
+                              std::cbrt(parameters.tolerance / error.local),
+                            std::sqrt(wanted_change / error.largest_change)),
+                   least_growth,
+                   factor);
+    if (controlled && error.local > too_much * parameters.tolerance &&
         dt > smallest_step())
       {
         wanted   = std::max(factor * dt, smallest_step());

@@ -106,7 +106,7 @@ namespace Catena
 
 
   template <int dim>
-  double
+  StepError
   step_error(const State<dim>              &state,
              const Level<dim>              &next,
              const std::vector<VectorType> &predicted,
@@ -136,18 +136,18 @@ namespace Catena
              << ": use a smaller 'Time/Time step' or a finer mesh.";
         throw SolverError(text.str());
       }
-    return step.dt * std::max(positions, change.mean);
+    return {step.dt * std::max(positions, change.mean), change.largest};
   }
 
 
 
-  template double
+  template StepError
   step_error<2>(const State<2> &,
                 const Level<2> &,
                 const std::vector<VectorType> &,
                 const TimeStep &,
                 const bool);
-  template double
+  template StepError
   step_error<3>(const State<3> &,
                 const Level<3> &,
                 const std::vector<VectorType> &,

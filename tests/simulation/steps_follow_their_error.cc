@@ -30,7 +30,8 @@ check_length(Claims &claims, const double dt_of_tolerance)
   const auto  parameters = controlled();
   StepControl control(parameters);
   const auto  error = [&](const double dt) {
-    return parameters.tolerance * std::pow(dt / dt_of_tolerance, 3);
+    return StepError{parameters.tolerance * std::pow(dt / dt_of_tolerance, 3),
+                     0.};
   };
   unsigned int n_rejected = 0, in_a_row = 0;
   double       growth = 0., last = 0.;
@@ -65,23 +66,33 @@ main(int argc, char **argv)
       check_length(claims, dt);
 
     StepControl cut(controlled());
-    cut.accept(0.08, 4e-4 * std::pow(0.08 / 0.2, 3));
+    cut.accept(0.08, {4e-4 * std::pow(0.08 / 0.2, 3), 0.});
     const double wanted = cut.next_step();
-    cut.accept(0.001, 4e-4 * std::pow(0.001 / 0.2, 3));
+    cut.accept(0.001, {4e-4 * std::pow(0.001 / 0.2, 3), 0.});
     claims.near("a step cut short leaves the next as it was",
                 cut.next_step(),
                 wanted,
                 1e-14);
 
+    StepControl steep(controlled());
+    const auto  change_at = [](const double dt) { return dt * dt / 0.04; };
+    for (unsigned int step = 0; step < 20; ++step)
+      steep.accept(steep.next_step(), {0., change_at(steep.next_step())});
+    claims.near("the log-conformation changes as much as is wanted",
+                change_at(steep.next_step()),
+                0.5,
+                1e-6);
+
     StepControlParameters constant;
     constant.time_step = 0.08;
     StepControl fixed(constant);
-    claims.holds("constant steps are never rejected", fixed.accept(0.08, 1e9));
+    claims.holds("constant steps are never rejected",
+                 fixed.accept(0.08, {1e9, 1e9}));
     claims.near("nor changed", fixed.next_step(), 0.08, 1e-14);
     claims.holds("a failed step is repeated", fixed.shorten(0.08));
     claims.near("with half of it", fixed.next_step(), 0.04, 1e-14);
-    fixed.accept(0.04, 0.);
-    fixed.accept(0.06, 0.);
+    fixed.accept(0.04, {});
+    fixed.accept(0.06, {});
     claims.near("and recovers", fixed.next_step(), 0.08, 1e-14);
     unsigned int n_failures = 0;
     while (fixed.shorten(fixed.next_step()))

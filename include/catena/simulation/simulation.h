@@ -229,7 +229,7 @@ namespace Catena
     Configuration<dim>
     moved_particles(const TimeStep &step);
 
-    void
+    StepError
     take_step(const TimeStep &step, Level<dim> &next, StepReport &report);
 
     void

@@ -17,7 +17,7 @@ namespace Catena
     /// local error to which the steps are controlled, 0: not at all
     double tolerance = 0.;
     /// of controlled steps
-    double largest_step = 0.32;
+    double largest_step = 0.64;
 
     void
     declare(dealii::ParameterHandler &parameters);
@@ -30,11 +30,28 @@ namespace Catena
 
 
   /**
-   * Chooses the time steps. The scheme is of second order, so the local error,
-   * that of one step, goes with dt^3. With a tolerance, the next step is the
-   * one whose error would be a little smaller,
+   * The errors of one time step.
+   */
+  struct StepError
+  {
+    /// of the positions [a] and of the log-conformation in the mean
+    double local = 0.;
+    /// by how much the log-conformation is off its extrapolation where it is
+    /// most; a step with more than 1 fails
+    double largest_change = 0.;
+  };
+
+
+
+  /**
+   * Chooses the time steps. The scheme is of second order: the local error,
+   * that of one step, goes with dt^3, and the log-conformation is off its
+   * extrapolation by dt^2. With a tolerance, the next step is the one whose
+   * error would be a little smaller and at most half of the change with which
+   * a step fails,
    *
-   *   dt_next = 0.9 dt (tolerance / error)^(1/3),
+   *   dt_next = dt min(0.9 (tolerance / local)^(1/3),
+   *                    (0.5 / largest_change)^(1/2)),
    *
    * and a step with twice the tolerance is rejected. Without one, the steps
    * have the length of the parameters. A step that fails is repeated with half
@@ -53,11 +70,11 @@ namespace Catena
     }
 
     /**
-     * A step of length @p dt, at most the wanted one, has this local error.
+     * A step of length @p dt, at most the wanted one, has these errors.
      * @return whether it is accepted; if not, it is to be repeated
      */
     bool
-    accept(const double dt, const double error);
+    accept(const double dt, const StepError &error);
 
     /**
      * A step of length @p dt has failed.

@@ -3,17 +3,18 @@
 
 #include <catena/base/time_history.h>
 #include <catena/simulation/state.h>
+#include <catena/simulation/step_control.h>
 
 #include <vector>
 
 namespace Catena
 {
   /**
-   * The larger one of two local errors of the step from @p state to @p next:
-   * that of the positions, by the difference of Adams-Bashforth and trapezoidal
-   * rule, and what the extrapolation of the log-conformation misses, times the
-   * step. The velocities jump where a contact opens or closes; there the gap
-   * is exact.
+   * The errors of the step from @p state to @p next. The local one is the
+   * larger one of two: that of the positions, by the difference of
+   * Adams-Bashforth and trapezoidal rule, and what the extrapolation of the
+   * log-conformation misses, times the step. The velocities jump where a
+   * contact opens or closes; there the gap is exact.
    *
    * @param predicted the extrapolated log-conformation
    * @param held the particles are held in place
@@ -22,7 +23,7 @@ namespace Catena
    * a value is not finite
    */
   template <int dim>
-  double
+  StepError
   step_error(const State<dim>              &state,
              const Level<dim>              &next,
              const std::vector<VectorType> &predicted,
