@@ -12,7 +12,8 @@ namespace Catena
   void
   CellValues<dim>::Rule::tabulate(const Quadrature<dim> &quadrature)
   {
-    const FE_SimplexP<dim> quadratic(2), linear(1);
+    // takes longer to make than some assemblies last
+    static const FE_SimplexP<dim> quadratic(2), linear(1);
     reference.resize(quadrature.size());
     values.resize(quadrature.size());
     for (unsigned int q = 0; q < quadrature.size(); ++q)
