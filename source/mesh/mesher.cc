@@ -300,6 +300,13 @@ namespace Catena
       "particles or a particle and a wall. At least 1.",
       Integer(0));
     parameters.add_parameter(
+      "Gap stretch",
+      gap_stretch,
+      "How many times longer elements may be along a gap between particles "
+      "than across it: the mesh is made with gaps as many times wider, and "
+      "pressed. From 1 to 8.",
+      Double());
+    parameters.add_parameter(
       "Size growth",
       growth,
       "Growth of the element size per unit of distance from a particle "
@@ -337,6 +344,10 @@ namespace Catena
             "Elements across gap",
             elements_across_gap,
             "give a number from 1 to 20");
+    require(gap_stretch >= 1. && gap_stretch <= 8.,
+            "Gap stretch",
+            gap_stretch,
+            "give a number from 1 to 8");
     require(growth >= 0.01 && growth <= 1.,
             "Size growth",
             growth,
@@ -353,6 +364,14 @@ namespace Catena
             "Time limit",
             time_limit,
             "give a time from 1 to 1e6 seconds");
+  }
+
+
+
+  double
+  MeshParameters::widest_refined_gap() const
+  {
+    return 2. * dealii::numbers::PI * elements_across_gap / elements_on_equator;
   }
 
 

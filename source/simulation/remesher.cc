@@ -2,6 +2,7 @@
 #include <catena/base/replace_field.h>
 #include <catena/conformation/entropy_projection.h>
 #include <catena/mesh/field_transfer.h>
+#include <catena/particles/contacts.h>
 #include <catena/rheology/spectral.h>
 #include <catena/scene/image_in_block.h>
 #include <catena/simulation/remesher.h>
@@ -178,11 +179,39 @@ namespace Catena
 
 
 
+  /**
+   * The configuration with narrow gaps wide enough for the mesh to be stretched
+   * in them when they are closed again; as it is if there is no room.
+   */
+  template <int dim>
+  Configuration<dim>
+  Remesher<dim>::widened(Configuration<dim> configuration) const
+  {
+    const double narrowest =
+      2. * Contacts<dim>(scene, 0.).smallest_gap(configuration);
+    const double wanted = std::min(parameters.mesh.gap_stretch * narrowest,
+                                   parameters.mesh.widest_refined_gap());
+    if (!(wanted > narrowest))
+      return configuration;
+    try
+      {
+        Configuration<dim> result = configuration;
+        Contacts<dim>(scene, wanted / 2.).enforce(result);
+        return result;
+      }
+    catch (const SolverError &)
+      {
+        return configuration;
+      }
+  }
+
+
+
   template <int dim>
   Discretization<dim>
   Remesher<dim>::make(const Configuration<dim> &configuration) const
   {
-    const Configuration<dim> reference = rounded(configuration);
+    const Configuration<dim> reference = rounded(widened(configuration));
     const Scene<dim>         layout    = scene_at(reference);
 
     const MeshDescription<dim> description =
@@ -193,8 +222,8 @@ namespace Catena
     result.mesh =
       std::make_unique<MovingMesh<dim>>(communicator, layout, description);
     result.mover = std::make_unique<MeshMover<dim>>(*result.mesh, reference);
-    result.initial_quality = result.mesh->quality();
     result.mesh->set_positions(result.mover->positions(configuration));
+    result.initial_quality = result.mesh->quality();
     return result;
   }
 

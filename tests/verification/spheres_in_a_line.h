@@ -199,6 +199,12 @@ namespace Catena
         return result;
       }
 
+      unsigned int
+      n_cells() const
+      {
+        return discretization.mesh->n_global_cells();
+      }
+
     private:
       const Line        line;
       const Scene<3>    scene;

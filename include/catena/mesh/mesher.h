@@ -22,6 +22,8 @@ namespace Catena
     unsigned int elements_on_equator = 64;
     /// n_min: elements across a gap between particles
     unsigned int elements_across_gap = 2;
+    /// how many times longer elements may be along a gap than across it
+    double gap_stretch = 1.;
     /// growth of the element size per unit of distance from a particle at
     /// n_part = 64; the actual growth goes with n_part^(-2/3), at most 0.5
     double growth = 0.23;
@@ -39,6 +41,10 @@ namespace Catena
     /// @throws InputError
     void
     check() const;
+
+    /// Wider gaps are resolved by the elements of the surfaces [a].
+    double
+    widest_refined_gap() const;
   };
 
   /**

@@ -24,7 +24,14 @@ namespace Catena
              const SimulationParameters &parameters,
              const MPI_Comm              communicator);
 
-    /// A mesh for @p configuration, with its nodes at their positions there.
+    /**
+     * A mesh for @p configuration, with its nodes at their positions there.
+     *
+     * With MeshParameters::gap_stretch > 1 it is made for particles moved apart
+     * to where the narrowest gap is as many times wider (but no wider than what
+     * the elements of the surfaces resolve anyway), and the mesh mover closes
+     * the gaps again: the elements in them are pressed flat.
+     */
     Discretization<dim>
     make(const Configuration<dim> &configuration) const;
 
@@ -51,6 +58,9 @@ namespace Catena
     const Scene<dim>           scene;
     const SimulationParameters parameters;
     const MPI_Comm             communicator;
+
+    Configuration<dim>
+    widened(Configuration<dim> configuration) const;
 
     /// The scene with particles at @p configuration and the planes that bound
     /// the meshed block where they suit them best.
