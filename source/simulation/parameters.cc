@@ -73,7 +73,7 @@ namespace Catena
     prm.add_parameter("Field strains",
                       field_strains,
                       "Strains at which the fields are written for ParaView, "
-                      "separated by commas.");
+                      "separated by commas; a time step ends at each.");
     prm.leave_subsection();
 
     prm.enter_subsection("Checkpoint");

@@ -185,7 +185,7 @@ namespace Catena
    */
   template <int dim>
   Configuration<dim>
-  Remesher<dim>::widened(Configuration<dim> configuration) const
+  Remesher<dim>::widened(const Configuration<dim> &configuration) const
   {
     const double narrowest =
       2. * Contacts<dim>(scene, 0.).smallest_gap(configuration);

@@ -17,11 +17,18 @@ namespace Catena
 
   namespace
   {
-    /// Strains that differ by rounding only
-    constexpr double same_strain = 1e-9;
-
-    /// What held the particles is let go over one unit of strain.
-    constexpr double ramp_end = 1.;
+    /// Is there a particle to be held while a viscoelastic stress builds up?
+    template <int dim>
+    bool
+    starts_held(const SimulationParameters &parameters,
+                const RigidBodies<dim>     &bodies)
+    {
+      bool any_moves = false;
+      for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)
+        any_moves |= !bodies.unknown(k).rotation &&
+                     !bodies.is_fixed(bodies.unknown(k).particle);
+      return parameters.viscoelastic() && any_moves;
+    }
   } // namespace
 
 
@@ -36,6 +43,9 @@ namespace Catena
     , remesher(scene, parameters, communicator)
     , run_report(communicator)
     , bodies(scene)
+    , protocol(parameters,
+               starts_held<dim>(parameters, bodies),
+               !scene.pressure_driven())
     , contacts(scene, parameters.minimal_gap)
     , flow_step(this->parameters, run_report)
     , step_control(parameters.step_control)
@@ -51,35 +61,10 @@ namespace Catena
 
 
   template <int dim>
-  bool
-  Simulation<dim>::starts_held() const
-  {
-    bool any_moves = false;
-    for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)
-      any_moves |= !bodies.unknown(k).rotation &&
-                   !bodies.is_fixed(bodies.unknown(k).particle);
-    return parameters.viscoelastic() && any_moves;
-  }
-
-
-
-  /// Does a force that held the particles act for a while?
-  template <int dim>
-  bool
-  Simulation<dim>::ramped() const
-  {
-    return std::any_of(state.holding_forces.begin(),
-                       state.holding_forces.end(),
-                       [](const double force) { return force != 0.; });
-  }
-
-
-
-  template <int dim>
   double
   Simulation<dim>::initial_strain() const
   {
-    return starts_held() ? -parameters.fluid.giesekus.weissenberg_number : 0.;
+    return protocol.start();
   }
 
 
@@ -88,15 +73,15 @@ namespace Catena
   void
   Simulation<dim>::initialize()
   {
-    held = starts_held();
+    Level<dim> &now = state.now;
+    now.time        = initial_strain();
+    held            = protocol.holds(now.time);
     bodies.hold_in_place(held);
     state.holding_forces.assign(bodies.n_unknowns(), 0.);
 
-    Level<dim> &now = state.now;
-    now.time        = initial_strain();
     for (const Particle<dim> &p : scene.particles)
       now.configuration.centres.push_back(p.centre);
-    now.configuration.shear_rate  = shear_rate();
+    now.configuration.shear_rate  = protocol.shear_rate(now.time);
     now.configuration.frame_angle = scene.line_angle(now.configuration.centres);
     contacts.enforce(now.configuration);
 
@@ -156,23 +141,15 @@ namespace Catena
 
 
   /**
-   * The wanted step, but not over an instant at which something changes.
+   * The wanted step, but not over an instant at which something is due.
    */
   template <int dim>
   double
   Simulation<dim>::next_dt() const
   {
     const double now    = state.now.time;
-    double       end    = held ? 0. : parameters.final_strain;
-    const auto   end_at = [&](const double instant) {
-      if (instant > now + same_strain)
-        end = std::min(end, instant);
-    };
-    if (!held && ramped())
-      end_at(ramp_end);
-    for (const double reversal : parameters.reversal_strains)
-      end_at(reversal);
-    const double left = end - now, wanted = step_control.next_step();
+    const double left   = protocol.next_instant(now) - now;
+    const double wanted = step_control.next_step();
     if (left < 1.001 * wanted)
       return left;
     // equal steps at the end, no small rest
@@ -188,7 +165,8 @@ namespace Catena
     const auto   step_timer = run_report.step();
     const double begin      = wall_clock();
     StepReport   result;
-    if (state.now.configuration.shear_rate != shear_rate())
+    if (state.now.configuration.shear_rate !=
+        protocol.shear_rate(state.now.time))
       {
         step_control.restart();
         while (!reverse_shear(result))
@@ -199,7 +177,7 @@ namespace Catena
     while (!try_step(next, result))
       run_report.count("rejected steps");
 
-    const bool last_held_step = held && next.time > -same_strain;
+    const bool last_held_step = held && !protocol.holds(next.time);
     state.before              = std::move(state.now);
     state.now                 = std::move(next);
     state.last_dt             = result.dt;
@@ -228,7 +206,8 @@ namespace Catena
     step.previous_dt = state.last_dt;
     try
       {
-        return step_control.accept(step.dt, take_step(step, next, report));
+        take_step(step, next, report);
+        return step_control.accept(step.dt, report.error);
       }
     catch (const SolverError &error)
       {
@@ -247,7 +226,7 @@ namespace Catena
    * @throws SolverError or MeshError
    */
   template <int dim>
-  StepError
+  void
   Simulation<dim>::take_step(const TimeStep &step,
                              Level<dim>     &next,
                              StepReport     &report)
@@ -269,13 +248,11 @@ namespace Catena
           solve_conformation(next, step, velocity_of_mesh);
         inject(StepPart::conformation, next);
       }
-    report.dt             = step.dt;
-    const StepError error = step_error<dim>(state, next, predicted, step, held);
-    report.error          = error.local;
+    report.dt    = step.dt;
+    report.error = step_error<dim>(state, next, predicted, step, held);
     if (conformation_solver)
       report.extremes =
         conformation_extremes<dim>(mesh(), next.log_conformation);
-    return error;
   }
 
 
@@ -326,22 +303,6 @@ namespace Catena
   {
     if (failure_injection)
       failure_injection(part, next);
-  }
-
-
-
-  /**
-   * Rate of the imposed shear from now on.
-   */
-  template <int dim>
-  double
-  Simulation<dim>::shear_rate() const
-  {
-    double rate = scene.pressure_driven() ? 0. : 1.;
-    for (const double reversal : parameters.reversal_strains)
-      if (reversal <= state.now.time + same_strain)
-        rate *= -1.;
-    return rate;
   }
 
 
@@ -573,7 +534,7 @@ namespace Catena
   {
     std::vector<double> forces = state.holding_forces;
     for (double &force : forces)
-      force *= held ? 0. : std::max(0., 1. - time / ramp_end);
+      force *= protocol.holding_share(time);
     return forces;
   }
 

@@ -13,7 +13,7 @@ namespace Catena
     constexpr double safety = 0.9;
     /// error of a rejected step, in tolerances
     constexpr double too_much      = 2.;
-    constexpr double wanted_change = 0.5;
+    constexpr double wanted_change = StepError::failing_change / 2.;
     /// BDF2 is stable for steps that grow by up to 2.4
     constexpr double largest_growth = 1.5;
     constexpr double least_growth   = 0.3;

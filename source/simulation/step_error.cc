@@ -16,12 +16,6 @@ namespace Catena
 
   namespace
   {
-    /// A log-conformation off its extrapolation by more is not followed: the
-    /// stress is predicted with that extrapolation.
-    constexpr double largest_change = 1.;
-
-
-
     template <int dim>
     unsigned int
     n_repelling(const Level<dim> &level)
@@ -125,7 +119,8 @@ namespace Catena
         !std::isfinite(next.flow.pressure.l2_norm()))
       throw SolverError("The flow has values that are not finite: use a "
                         "smaller 'Time/Time step' or a finer mesh.");
-    if (!(change.largest <= largest_change) || !std::isfinite(change.mean))
+    if (!(change.largest <= StepError::failing_change) ||
+        !std::isfinite(change.mean))
       {
         std::ostringstream text;
         text << "The log-conformation is off its extrapolation by "

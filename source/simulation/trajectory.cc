@@ -170,7 +170,7 @@ namespace Catena
     const Level<dim> &now = simulation.current_state().now;
     table.add("strain", now.time);
     table.add("dt", step.dt);
-    table.add("step_error", step.error);
+    table.add("step_error", step.error.local);
     if (simulation.initial_scene().line)
       table.add("theta", now.configuration.frame_angle * 180. / numbers::PI);
     add_particles();

@@ -3,6 +3,7 @@
 
 #include <catena/flow/flow_solver.h>
 #include <catena/flow/particle_forces.h>
+#include <catena/mesh/cell_fields.h>
 #include <catena/mesh/mesher.h>
 #include <catena/mesh/moving_mesh.h>
 
@@ -88,10 +89,7 @@ namespace Catena
       dealii::Point<dim>
       position(const unsigned int node) const
       {
-        dealii::Point<dim> x;
-        for (unsigned int d = 0; d < dim; ++d)
-          x[d] = mesh.positions()(dim * node + d);
-        return x;
+        return node_position<dim>(mesh.positions(), node);
       }
 
       const MovingMesh<dim>      mesh;

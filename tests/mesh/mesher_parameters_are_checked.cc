@@ -67,6 +67,8 @@ main(int argc, char **argv)
                  is_refused("Elements on equator", "3"));
     claims.holds("no element across the gap is refused",
                  is_refused("Elements across gap", "0"));
+    claims.holds("a gap stretch below one is refused",
+                 is_refused("Gap stretch", "0.5"));
     claims.holds("a negative growth is refused",
                  is_refused("Size growth", "-0.1"));
     claims.holds("a negative maximal size is refused",

@@ -6,6 +6,7 @@
 
 #include <catena/conformation/strain_rate_projection.h>
 #include <catena/flow/stress_prediction.h>
+#include <catena/mesh/cell_fields.h>
 #include <catena/rheology/shear_flow.h>
 #include <catena/simulation/simulation.h>
 
@@ -90,9 +91,7 @@ simulate(const Scene<dim>         &scene,
   result.disturbance = state.now.flow.pressure.linfty_norm();
   for (const auto node : mesh.owned_nodes())
     {
-      dealii::Point<dim> x;
-      for (unsigned int d = 0; d < dim; ++d)
-        x[d] = mesh.positions()(dim * node + d);
+      const auto x = node_position<dim>(mesh.positions(), node);
       for (unsigned int d = 0; d < dim; ++d)
         result.disturbance =
           std::max(result.disturbance,

@@ -11,8 +11,8 @@
 namespace Catena
 {
   /**
-   * Writes the fields once for each strain asked for, at the first instant
-   * that has reached it.
+   * Writes the fields once for each strain asked for. The steps of a Simulation
+   * end there; what is asked for before its start is written there.
    */
   template <int dim>
   class FieldSchedule

@@ -60,7 +60,7 @@ namespace Catena
     const MPI_Comm             communicator;
 
     Configuration<dim>
-    widened(Configuration<dim> configuration) const;
+    widened(const Configuration<dim> &configuration) const;
 
     /// The scene with particles at @p configuration and the planes that bound
     /// the meshed block where they suit them best.

@@ -7,6 +7,7 @@
 #include <catena/simulation/flow_step.h>
 #include <catena/simulation/parameters.h>
 #include <catena/simulation/remesher.h>
+#include <catena/simulation/shear_protocol.h>
 #include <catena/simulation/state.h>
 #include <catena/simulation/step_control.h>
 
@@ -22,9 +23,8 @@ namespace Catena
    */
   struct StepReport
   {
-    double dt = 0.;
-    /// local error, see StepControl
-    double       error                   = 0.;
+    double       dt = 0.;
+    StepError    error;
     unsigned int flow_iterations         = 0;
     unsigned int conformation_iterations = 0;
     bool         remeshed                = false;
@@ -198,6 +198,7 @@ namespace Catena
 
     RunReport                                run_report;
     RigidBodies<dim>                         bodies;
+    const ShearProtocol                      protocol;
     Contacts<dim>                            contacts;
     FlowStep<dim>                            flow_step;
     std::unique_ptr<ConformationSolver<dim>> conformation_solver;
@@ -207,21 +208,11 @@ namespace Catena
     bool                                     held             = false;
     bool                                     remesh_requested = false;
 
-    /// Is there a particle to be held while a viscoelastic stress builds up?
-    bool
-    starts_held() const;
-
-    bool
-    ramped() const;
-
     double
     next_dt() const;
 
     bool
     try_step(Level<dim> &next, StepReport &report);
-
-    double
-    shear_rate() const;
 
     bool
     reverse_shear(StepReport &report);
@@ -229,7 +220,7 @@ namespace Catena
     Configuration<dim>
     moved_particles(const TimeStep &step);
 
-    StepError
+    void
     take_step(const TimeStep &step, Level<dim> &next, StepReport &report);
 
     void

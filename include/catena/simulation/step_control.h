@@ -34,10 +34,14 @@ namespace Catena
    */
   struct StepError
   {
+    /// A log-conformation off its extrapolation by more is not followed: the
+    /// stress is predicted with that extrapolation, and the step fails.
+    static constexpr double failing_change = 1.;
+
     /// of the positions [a] and of the log-conformation in the mean
     double local = 0.;
     /// by how much the log-conformation is off its extrapolation where it is
-    /// most; a step with more than 1 fails
+    /// most
     double largest_change = 0.;
   };
 
