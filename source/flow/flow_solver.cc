@@ -37,7 +37,7 @@ namespace Catena
     require(tolerance >= 1e-14 && tolerance < 1e-2,
             "Flow solver/Tolerance",
             tolerance,
-            "choose a value between 1e-12 and 1e-2");
+            "choose a value between 1e-14 and 1e-2");
     require(max_iterations >= 1 && max_iterations < 100000,
             "Flow solver/Maximal iterations",
             max_iterations,

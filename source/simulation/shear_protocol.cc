@@ -34,7 +34,8 @@ namespace Catena
   double
   ShearProtocol::start() const
   {
-    return -held_for;
+    // not minus zero
+    return 0. - held_for;
   }
 
 
