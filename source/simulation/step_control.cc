@@ -33,9 +33,9 @@ namespace Catena
     prm.add_parameter("Tolerance",
                       tolerance,
                       "Error of a time step to which its length is controlled: "
-                      "of the positions [a], and of the log-conformation in "
-                      "the mean over the elastic energy. 0 for steps of "
-                      "constant length.",
+                      "of the positions of the particles' surfaces [a], and of "
+                      "the log-conformation in the mean over the elastic "
+                      "energy. 0 for steps of constant length.",
                       Patterns::Double());
     prm.add_parameter("Largest time step",
                       largest_step,

@@ -73,6 +73,7 @@ namespace Catena
 
 
 
+    /// Of the points of the particles' surfaces, over the step.
     template <int dim>
     double
     error_of_positions(const State<dim> &state,
@@ -80,20 +81,26 @@ namespace Catena
                        const TimeStep   &step)
     {
       const TwoLevelWeights weights = step.adams_bashforth();
+      const auto difference = [&](const auto member, const unsigned int i) {
+        const auto &now = state.now.flow.motions[i].*member;
+        auto        result =
+          weights.b0 * now - (now + next.flow.motions[i].*member) / 2.;
+        if (weights.b1 != 0.)
+          result += weights.b1 * (state.before.flow.motions[i].*member);
+        return result.norm();
+      };
       // errors (2 dt + 3 dt') and -dt, times dt^2/12 and the third derivative
       const double share = (2. * step.dt + 3. * step.previous_dt) /
                            (3. * (step.dt + step.previous_dt));
-      double largest = 0.;
-      for (unsigned int i = 0; i < next.flow.motions.size(); ++i)
-        {
-          const Tensor<1, dim> &now = state.now.flow.motions[i].velocity;
-          Tensor<1, dim>        difference =
-            weights.b0 * now - (now + next.flow.motions[i].velocity) / 2.;
-          if (weights.b1 != 0.)
-            difference += weights.b1 * state.before.flow.motions[i].velocity;
-          largest = std::max(largest, share * difference.norm());
-        }
-      return largest;
+      const auto &particles = state.discretization.mesh->scene().particles;
+      double      largest   = 0.;
+      for (unsigned int i = 0; i < particles.size(); ++i)
+        largest =
+          std::max(largest,
+                   difference(&RigidMotion<dim>::velocity, i) +
+                     particles[i].radius *
+                       difference(&RigidMotion<dim>::angular_velocity, i));
+      return share * largest;
     }
   } // namespace
 

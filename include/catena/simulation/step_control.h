@@ -38,7 +38,7 @@ namespace Catena
     /// stress is predicted with that extrapolation, and the step fails.
     static constexpr double failing_change = 1.;
 
-    /// of the positions [a] and of the log-conformation in the mean
+    /// of the positions of surfaces [a] and of the log-conformation in the mean
     double local = 0.;
     /// by how much the log-conformation is off its extrapolation where it is
     /// most

@@ -11,10 +11,10 @@ namespace Catena
 {
   /**
    * The errors of the step from @p state to @p next. The local one is the
-   * larger one of two: that of the positions, by the difference of
-   * Adams-Bashforth and trapezoidal rule, and what the extrapolation of the
-   * log-conformation misses, times the step. The velocities jump where a
-   * contact opens or closes; there the gap is exact.
+   * larger one of two: that of the positions of the particles' surfaces, which
+   * turn, too, by the difference of Adams-Bashforth and trapezoidal rule, and
+   * what the extrapolation of the log-conformation misses, times the step. The
+   * velocities jump where a contact opens or closes; there the gap is exact.
    *
    * @param predicted the extrapolated log-conformation
    * @param held the particles are held in place
