@@ -28,7 +28,8 @@ namespace Catena
   FieldSchedule<dim>::pass(const double strain)
   {
     const unsigned int before = next;
-    while (next < strains.size() && strains[next] <= strain + 1e-9)
+    while (next < strains.size() &&
+           strains[next] <= strain + ShearProtocol::same_strain)
       ++next;
     return next > before;
   }

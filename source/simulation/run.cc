@@ -373,7 +373,8 @@ namespace Catena
     Run<dim>::is_finished(const StepReport &step) const
     {
       const bool ended = ending != nullptr && ending->reached(simulation, step);
-      return ended || simulation.strain() >= parameters.final_strain - 1e-9;
+      return ended || simulation.strain() >=
+                        parameters.final_strain - ShearProtocol::same_strain;
     }
 
 

@@ -6,9 +6,6 @@ namespace Catena
 {
   namespace
   {
-    /// Strains that differ by rounding only
-    constexpr double same_strain = 1e-9;
-
     /// The holding forces fall to zero over one unit of strain.
     constexpr double ramp_end = 1.;
   } // namespace

@@ -7,7 +7,6 @@
 #include <catena/simulation/simulation.h>
 #include <catena/simulation/step_error.h>
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 

@@ -16,6 +16,9 @@ namespace Catena
   class ShearProtocol
   {
   public:
+    /// Strains that differ by less do so by rounding only.
+    static constexpr double same_strain = 1e-9;
+
     /**
      * @p starts_held: are there particles to be held at first?
      * @p walls_move: or does a pressure drop drive the flow?
