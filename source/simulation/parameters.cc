@@ -50,6 +50,11 @@ namespace Catena
                       "Strain gamma t at which the run ends, counted from the "
                       "release of the particles.",
                       Patterns::Double());
+    prm.add_parameter("Release strain",
+                      release_strain,
+                      "Strain over which the forces that held the particles of "
+                      "a viscoelastic scene in place go to zero, linearly.",
+                      Patterns::Double());
     prm.add_parameter("Reversal strains",
                       reversal_strains,
                       "Strains at which the walls change their direction, in "
@@ -102,6 +107,10 @@ namespace Catena
             "Time/Final strain",
             final_strain,
             "choose a strain from 0 to 1e6");
+    require(release_strain >= 1e-3 && release_strain <= 1e3,
+            "Time/Release strain",
+            release_strain,
+            "choose a strain from 0.001 to 1000, 1 is usual");
     for (unsigned int i = 0; i < reversal_strains.size(); ++i)
       require(reversal_strains[i] > (i > 0 ? reversal_strains[i - 1] : 0.),
               "Time/Reversal strains",

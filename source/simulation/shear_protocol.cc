@@ -4,26 +4,19 @@
 
 namespace Catena
 {
-  namespace
-  {
-    /// The holding forces fall to zero over one unit of strain.
-    constexpr double ramp_end = 1.;
-  } // namespace
-
-
-
   ShearProtocol::ShearProtocol(const SimulationParameters &parameters,
                                const bool                  starts_held,
                                const bool                  walls_move)
     : held_for(starts_held ? parameters.fluid.giesekus.weissenberg_number : 0.)
     , wall_rate(walls_move ? 1. : 0.)
+    , release(parameters.release_strain)
     , end(parameters.final_strain)
     , reversals(parameters.reversal_strains)
     , instants(parameters.field_strains)
   {
     instants.insert(instants.end(), reversals.begin(), reversals.end());
     if (starts_held)
-      instants.insert(instants.end(), {0., ramp_end});
+      instants.insert(instants.end(), {0., release});
   }
 
 
@@ -60,7 +53,7 @@ namespace Catena
   double
   ShearProtocol::holding_share(const double time) const
   {
-    return std::clamp(1. - time / ramp_end, 0., 1.);
+    return std::clamp(1. - time / release, 0., 1.);
   }
 
 

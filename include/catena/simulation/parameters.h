@@ -30,6 +30,8 @@ namespace Catena
 
     StepControlParameters step_control;
     double                final_strain = 50.;
+    /// over which the forces that held particles at first go to zero
+    double release_strain = 1.;
     /// strains at which the walls change their direction
     std::vector<double> reversal_strains;
 

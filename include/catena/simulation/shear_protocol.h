@@ -10,7 +10,7 @@ namespace Catena
   /**
    * What is imposed, and when. A viscoelastic stress builds up around particles
    * that are held in place for one relaxation time, t in [-Wi, 0]; the forces
-   * that held them are then let go to zero over one unit of strain. The walls
+   * that held them then go to zero over the release strain, linearly. The walls
    * turn back at the reversal strains. Times t are in 1/gamma.
    */
   class ShearProtocol
@@ -51,6 +51,7 @@ namespace Catena
   private:
     double              held_for;
     double              wall_rate;
+    double              release;
     double              end;
     std::vector<double> reversals;
     std::vector<double> instants;

@@ -54,7 +54,7 @@ namespace Catena
    * The time stepping of the whole system: particles, mesh, flow and
    * conformation. A viscoelastic simulation starts from rest with the
    * particles held in place for one relaxation time, t in [-Wi, 0]; the force
-   * that holds them is then let go to zero over one unit of strain. A
+   * that holds them is then let go to zero over the release strain. A
    * Newtonian or Carreau fluid, or a scene whose particles only turn, starts
    * free at t = 0.
    *
