@@ -4,6 +4,7 @@ The head of such a file says what to do with it in lines '# KEY: VALUE'. Entries
 are written SECTION/NAME = VALUE, several of them separated by semicolons."""
 
 import csv
+import os
 import re
 from pathlib import Path
 
@@ -15,6 +16,14 @@ MESHES = {"M1": (32, 1), "M2": (64, 2), "M3": (96, 3), "M4": (128, 4)}
 # A run on one core
 THREADS = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
            "DEAL_II_NUM_THREADS": "1"}
+
+
+def machine():
+    """The processor and its cores, for tables of seconds."""
+    names = [line.split(":")[1].strip() for line in open("/proc/cpuinfo")
+             if line.startswith("model name")]
+    return f"{names[0] if names else 'unknown processor'}, " \
+           f"{os.cpu_count()} cores"
 
 
 def read_table(path):

@@ -4,7 +4,7 @@
  *
  * Sample runs:
  *   one_particle parameter_files/one_particle/quick.prm
- *   one_particle parameter_files/one_particle/oldroyd_b.prm
+ *   one_particle parameter_files/one_particle/carreau.prm
  */
 
 #include <catena/scene/one_particle.h>

@@ -20,8 +20,8 @@ namespace Catena
   {
     prm.add_parameter("Tolerance",
                       tolerance,
-                      "Residual of each component of the log-conformation, "
-                      "relative to its right-hand side.",
+                      "Preconditioned residual of each component of the "
+                      "log-conformation, relative to its right-hand side.",
                       Patterns::Double());
     prm.add_parameter("Maximal iterations",
                       max_iterations,

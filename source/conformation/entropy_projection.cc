@@ -249,13 +249,23 @@ namespace Catena
         const double functional =
           evaluate(identification.fields(mesh, s), conformation, &gradient);
         if (!std::isfinite(functional))
-          break;
+          throw SolverError(
+            "The projection of the conformation onto a new mesh "
+            "has values that are not finite.");
         change = 0.;
         SolverControl control(200, linear_excess * gradient.l2_norm());
-        SolverCG<BlockVectorType>(control).solve(Hessian(*this),
-                                                 change,
-                                                 gradient,
-                                                 LumpedInverse(*this));
+        try
+          {
+            SolverCG<BlockVectorType>(control).solve(Hessian(*this),
+                                                     change,
+                                                     gradient,
+                                                     LumpedInverse(*this));
+          }
+        catch (const SolverControl::NoConvergence &)
+          {
+            throw SolverError("A linear solve in the projection of the "
+                              "conformation onto a new mesh did not converge.");
+          }
         const double decrease = change * gradient;
         double       length   = 1.;
         s.add(-1., change);

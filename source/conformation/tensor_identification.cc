@@ -16,7 +16,7 @@ namespace Catena
     for (const auto vertex : mesh.relevant_scalars())
       {
         const unsigned int node = mesh.node_of_vertex(vertex);
-        masters[vertex] = mesh.vertex_of_node(identification.master(node));
+        masters[vertex]         = mesh.vertex_master(vertex);
         for (unsigned int k = 0; k < component_factors.size(); ++k)
           {
             const auto ij =

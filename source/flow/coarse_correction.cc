@@ -2,6 +2,8 @@
 #include <catena/flow/galerkin_product.h>
 #include <catena/flow/smoothed_aggregation.h>
 
+#include <deal.II/base/mpi.h>
+
 namespace Catena
 {
   using namespace dealii;
@@ -12,6 +14,9 @@ namespace Catena
     constexpr unsigned int n_coarsest = 300;
 
     constexpr double smoothing_range = 8.;
+
+    /// of nodes, from one level to the next
+    constexpr double worst_reduction = 0.8;
   } // namespace
 
 
@@ -39,10 +44,13 @@ namespace Catena
     const SmoothedAggregation aggregation(level->matrix(),
                                           masks,
                                           level->largest_eigenvalue());
-    coarser = std::make_unique<CoarseCorrection>(level->matrix(),
-                                                 aggregation.prolongation,
-                                                 aggregation.masks,
-                                                 comm);
+    const unsigned int        n_coarser =
+      Utilities::MPI::sum<unsigned int>(aggregation.masks.size(), comm);
+    if (n_coarser < worst_reduction * nodes->size())
+      coarser = std::make_unique<CoarseCorrection>(level->matrix(),
+                                                   aggregation.prolongation,
+                                                   aggregation.masks,
+                                                   comm);
   }
 
 
@@ -60,7 +68,8 @@ namespace Catena
       {
         level->smooth_from_zero();
         level->step = 0.f;
-        coarser->add_to(level->step, r);
+        if (coarser)
+          coarser->add_to(level->step, r);
         level->smooth_after_step();
       }
     else

@@ -108,7 +108,7 @@ namespace Catena
     for (unsigned int v = 0; v < FlowElement<dim>::n_vertices; ++v)
       {
         const unsigned int master =
-          matrices.pressure_master(element.cell->vertices[v]);
+          mesh.vertex_master(element.cell->vertices[v]);
         const int row = matrices.divergence_access.row(master);
         for (unsigned int b = 0; b < FlowElement<dim>::n_nodes; ++b)
           {
@@ -157,7 +157,7 @@ namespace Catena
     for (unsigned int v = 0; v < FlowElement<dim>::n_vertices; ++v)
       {
         const unsigned int master =
-          matrices.pressure_master(element.cell->vertices[v]);
+          mesh.vertex_master(element.cell->vertices[v]);
         if (!mesh.owned_scalars().is_element(master))
           continue;
         matrices.vertex_volumes(master) += element.volume[v];
@@ -238,7 +238,7 @@ namespace Catena
         for (unsigned int v = 0; v < FlowElement<dim>::n_vertices; ++v)
           {
             const int row = matrices.pressure_rigid_access.row(
-              matrices.pressure_master(element.cell->vertices[v]));
+              mesh.vertex_master(element.cell->vertices[v]));
             if (row != CsrAccess::absent)
               matrices.pressure_rigid_access.add(
                 row,
@@ -322,13 +322,13 @@ namespace Catena
     for (unsigned int v = 0; v < FlowElement<dim>::n_vertices; ++v)
       {
         const int row = matrices.mass_access.row(
-          matrices.pressure_master(element.cell->vertices[v]));
+          mesh.vertex_master(element.cell->vertices[v]));
         if (row == CsrAccess::absent)
           continue;
         for (unsigned int w = 0; w < FlowElement<dim>::n_vertices; ++w)
           matrices.mass_access.add(row,
                                    matrices.mass_access.column(
-                                     matrices.pressure_master(
+                                     mesh.vertex_master(
                                        element.cell->vertices[w])),
                                    element.mass[v][w]);
       }
@@ -381,7 +381,7 @@ namespace Catena
       }
     if (with_preconditioner)
       for (const auto vertex : mesh.owned_scalars())
-        if (matrices.pressure_master(vertex) != vertex)
+        if (mesh.vertex_master(vertex) != vertex)
           fix(matrices.mass_access, vertex);
     matrices.update_products();
 

@@ -33,16 +33,6 @@ namespace Catena
 
 
   template <int dim>
-  unsigned int
-  FlowMatrices<dim>::pressure_master(const unsigned int vertex) const
-  {
-    return mesh.vertex_of_node(
-      mesh.identification().master(mesh.node_of_vertex(vertex)));
-  }
-
-
-
-  template <int dim>
   void
   FlowMatrices<dim>::make_patterns(
     const std::vector<NodeCoupling<dim>> &couplings)
@@ -132,8 +122,9 @@ namespace Catena
             const int gradient_row = gradient_access.row(dim * trial.master);
             for (unsigned int v = 0; v < Offsets::n_vertices; ++v)
               {
-                const unsigned int vertex = pressure_master(cell.vertices[v]);
-                const int          row    = divergence_access.row(vertex);
+                const unsigned int vertex =
+                  mesh.vertex_master(cell.vertices[v]);
+                const int row = divergence_access.row(vertex);
                 if (row != CsrAccess::absent)
                   offsets[c].divergence[v][b] = divergence_access.offset(
                     row, divergence_access.column(dim * trial.master));

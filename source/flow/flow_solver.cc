@@ -73,14 +73,11 @@ namespace Catena
                           const Configuration<dim> &new_configuration,
                           const bool                held_in_place)
   {
-    mesh          = &new_mesh;
-    bodies        = &new_bodies;
-    configuration = new_configuration;
-    held          = held_in_place;
-    velocity_lines =
-      velocity_constraints<dim>(*mesh, *bodies, configuration, held);
-    couplings = node_couplings<dim>(*mesh, velocity_lines);
-    matrices  = std::make_unique<FlowMatrices<dim>>(*mesh, *bodies, couplings);
+    mesh   = &new_mesh;
+    bodies = &new_bodies;
+    held   = held_in_place;
+    set_configuration(new_configuration);
+    matrices = std::make_unique<FlowMatrices<dim>>(*mesh, *bodies, couplings);
     preconditioner_is_due = true;
     earlier_solutions.clear();
   }
@@ -108,9 +105,8 @@ namespace Catena
     const Configuration<dim> &new_configuration)
   {
     configuration = new_configuration;
-    velocity_lines =
-      velocity_constraints<dim>(*mesh, *bodies, configuration, held);
-    couplings = node_couplings<dim>(*mesh, velocity_lines);
+    couplings     = node_couplings<dim>(
+      *mesh, velocity_constraints<dim>(*mesh, *bodies, configuration, held));
   }
 
 

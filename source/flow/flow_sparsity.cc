@@ -39,10 +39,6 @@ namespace Catena
                        n_global_unknowns(mesh, bodies),
                        mesh.relevant_scalars())
   {
-    const auto master_of = [&](const unsigned int vertex) {
-      return mesh.vertex_of_node(
-        mesh.identification().master(mesh.node_of_vertex(vertex)));
-    };
     for (const auto vertex : mesh.owned_scalars())
       masses.add(vertex, vertex);
 
@@ -71,7 +67,7 @@ namespace Catena
           for (unsigned int d = 0; d < dim; ++d)
             columns.push_back(dim * master + d);
         for (const unsigned int vertex : cell.vertices)
-          vertices.push_back(master_of(vertex));
+          vertices.push_back(mesh.vertex_master(vertex));
         std::sort(vertices.begin(), vertices.end());
         vertices.erase(std::unique(vertices.begin(), vertices.end()),
                        vertices.end());

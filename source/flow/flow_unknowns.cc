@@ -119,8 +119,7 @@ namespace Catena
               fields.velocity(dim * node + d) - imposed[d];
       }
     for (const auto vertex : mesh.owned_scalars())
-      if (mesh.identification().master(mesh.node_of_vertex(vertex)) ==
-          mesh.node_of_vertex(vertex))
+      if (mesh.vertex_master(vertex) == vertex)
         guess.block(1)(vertex) = fields.pressure(vertex);
     if (matrices.n_rigid() > 0)
       set_replicated(guess.block(2), global_unknowns(fields));
@@ -217,8 +216,7 @@ namespace Catena
     masters.update_ghost_values();
     fields.pressure = mesh.scalar_field();
     for (const auto vertex : mesh.owned_scalars())
-      fields.pressure(vertex) = masters(mesh.vertex_of_node(
-        mesh.identification().master(mesh.node_of_vertex(vertex))));
+      fields.pressure(vertex) = masters(mesh.vertex_master(vertex));
     fields.pressure.update_ghost_values();
 
     std::vector<double> forces;

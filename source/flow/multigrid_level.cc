@@ -50,7 +50,7 @@ namespace Catena
 
 
   /**
-   * Power iteration from numbers that are the same on any number of ranks.
+   * Power iteration from numbers that follow from those of the nodes.
    */
   void
   MultigridLevel::estimate_eigenvalue()

@@ -21,15 +21,11 @@ namespace Catena
     std::vector<StressCoefficients<dim>> coefficients;
     for (const auto &cell : mesh.cells())
       {
-        if (!cell.owned || !cell.curved)
-          {
-            // a cell that touches a particle with a vertex only is straight
-            bool touches = false;
-            for (const unsigned int node : cell.nodes)
-              touches |= mesh.particle(node) != none;
-            if (!cell.owned || !touches)
-              continue;
-          }
+        bool touches = false;
+        for (const unsigned int node : cell.nodes)
+          touches |= mesh.particle(node) != none;
+        if (!cell.owned || !touches)
+          continue;
         const auto positions = mesh.cell_positions(cell, mesh.positions());
         values.reinit(positions, cell.curved);
         stress.evaluate(cell, values, coefficients);

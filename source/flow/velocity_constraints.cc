@@ -100,27 +100,6 @@ namespace Catena
 
 
 
-  template <int dim>
-  AffineConstraints<double>
-  pressure_constraints(const MovingMesh<dim> &mesh)
-  {
-    AffineConstraints<double> constraints(mesh.relevant_scalars());
-    for (const auto vertex : mesh.relevant_scalars())
-      {
-        const unsigned int node   = mesh.node_of_vertex(vertex);
-        const unsigned int master = mesh.identification().master(node);
-        if (master != node)
-          {
-            constraints.add_line(vertex);
-            constraints.add_entry(vertex, mesh.vertex_of_node(master), 1.);
-          }
-      }
-    constraints.close();
-    return constraints;
-  }
-
-
-
 #define INSTANTIATE(dim)                                         \
   template std::vector<RigidMotion<dim>> reference_motions<dim>( \
     const Scene<dim> &, const Configuration<dim> &, const bool); \
@@ -128,9 +107,7 @@ namespace Catena
     const MovingMesh<dim> &,                                     \
     const RigidBodies<dim> &,                                    \
     const Configuration<dim> &,                                  \
-    const bool);                                                 \
-  template AffineConstraints<double> pressure_constraints<dim>(  \
-    const MovingMesh<dim> &);
+    const bool);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

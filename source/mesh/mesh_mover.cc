@@ -67,12 +67,6 @@ namespace Catena
   void
   MeshMover<dim>::assemble()
   {
-    const NodeIdentification &identification = mesh.identification();
-    const auto                master         = [&](const unsigned int vertex) {
-      return mesh.vertex_of_node(
-        identification.master(mesh.node_of_vertex(vertex)));
-    };
-
     DynamicSparsityPattern pattern(mesh.scalar_dofs().n_dofs(),
                                    mesh.scalar_dofs().n_dofs(),
                                    mesh.relevant_scalars());
@@ -83,7 +77,7 @@ namespace Catena
         for (const unsigned int j : cell.vertices)
           {
             pattern.add(i, j);
-            pattern.add(master(i), master(j));
+            pattern.add(mesh.vertex_master(i), mesh.vertex_master(j));
           }
     const auto make_matrix = [&](TrilinosWrappers::SparseMatrix &matrix) {
       matrix.reinit(mesh.owned_scalars(),
@@ -115,11 +109,11 @@ namespace Catena
                 weight * (values.shape_grad(a, 0) * values.shape_grad(b, 0));
               if (owned.is_element(i))
                 stiffness.add(i, j, value);
-              if (owned.is_element(master(i)))
+              if (owned.is_element(mesh.vertex_master(i)))
                 for (Problem &problem : problems)
                   if (problem.factors[i] * problem.factors[j] != 0)
-                    problem.matrix.add(master(i),
-                                       master(j),
+                    problem.matrix.add(mesh.vertex_master(i),
+                                       mesh.vertex_master(j),
                                        problem.factors[i] * problem.factors[j] *
                                          value);
             }
@@ -169,12 +163,6 @@ namespace Catena
                         const unsigned int component,
                         VectorType        &displacement) const
   {
-    const NodeIdentification &identification = mesh.identification();
-    const auto                master         = [&](const unsigned int vertex) {
-      return mesh.vertex_of_node(
-        identification.master(mesh.node_of_vertex(vertex)));
-    };
-
     VectorType residual(mesh.owned_scalars(), mesh.communicator());
     VectorType solution(residual), owned_displacement(residual);
     owned_displacement.copy_locally_owned_data_from(displacement);
@@ -183,7 +171,8 @@ namespace Catena
     VectorType folded;
     folded.reinit(displacement);
     for (const auto vertex : mesh.owned_scalars())
-      folded(master(vertex)) -= problem.factors[vertex] * residual(vertex);
+      folded(mesh.vertex_master(vertex)) -=
+        problem.factors[vertex] * residual(vertex);
     folded.compress(VectorOperation::add);
     for (const auto vertex : mesh.owned_scalars())
       residual(vertex) = problem.factors[vertex] == 0 ? 0. : folded(vertex);
@@ -209,7 +198,7 @@ namespace Catena
     correction.update_ghost_values();
     for (const auto vertex : mesh.owned_scalars())
       displacement(vertex) +=
-        problem.factors[vertex] * correction(master(vertex));
+        problem.factors[vertex] * correction(mesh.vertex_master(vertex));
   }
 
 

@@ -1,6 +1,7 @@
 #include <catena/base/exceptions.h>
 #include <catena/mesh/cell_values.h>
 #include <catena/mesh/moving_mesh.h>
+#include <catena/mesh/quadratic_shape.h>
 #include <catena/mesh/quality.h>
 
 #include <deal.II/base/mpi.h>
@@ -12,15 +13,6 @@
 namespace Catena
 {
   using namespace dealii;
-
-  namespace
-  {
-    /// Vertices of the edges in the node order of FE_SimplexP(2).
-    constexpr unsigned int edge_vertices[6][2] =
-      {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
-  } // namespace
-
-
 
   template <int dim>
   MovingMesh<dim>::MovingMesh(const MPI_Comm              communicator,
@@ -135,7 +127,7 @@ namespace Catena
           }
         for (unsigned int e = n_vertices; e < n_nodes; ++e)
           {
-            const unsigned int *v    = edge_vertices[e - n_vertices];
+            const auto v             = simplex_edge(e - n_vertices);
             node_ends[cell.nodes[e]] = {{cell.nodes[v[0]], cell.nodes[v[1]]}};
             points[cell.nodes[e]] =
               (cell.iterator->vertex(v[0]) + cell.iterator->vertex(v[1])) / 2.;
@@ -153,11 +145,10 @@ namespace Catena
                     face->vertex_index(k) == cell.iterator->vertex_index(v);
               for (unsigned int i = 0; i < n_nodes; ++i)
                 {
-                  const bool inside =
-                    i < n_vertices ?
-                      in_face[i] :
-                      in_face[edge_vertices[i - n_vertices][0]] &&
-                        in_face[edge_vertices[i - n_vertices][1]];
+                  const auto ends   = i < n_vertices ?
+                                        std::array<unsigned int, 2>{{i, i}} :
+                                        simplex_edge(i - n_vertices);
+                  const bool inside = in_face[ends[0]] && in_face[ends[1]];
                   if (inside && id >= BoundaryIds::particle)
                     node_surfaces[cell.nodes[i]] = id - BoundaryIds::particle;
                   else if (inside)

@@ -103,20 +103,11 @@ namespace Catena
         }
     };
     add(Contact<dim>::Partner::wall, 1, -scene.height / 2., scene.height / 2.);
-    if (dim == 3 && !in_mirror_plane(particle))
+    if (dim == 3 && !scene.in_mirror_plane(particle))
       add(Contact<dim>::Partner::mirror_image,
           dim - 1,
           scene.lower()[dim - 1],
           scene.upper()[dim - 1]);
-  }
-
-
-
-  template <int dim>
-  bool
-  Contacts<dim>::in_mirror_plane(const unsigned int particle) const
-  {
-    return scene.mirrored() && scene.particles[particle].centre[dim - 1] == 0.;
   }
 
 
@@ -128,7 +119,7 @@ namespace Catena
     const bool with_itself =
       contact.i == contact.j && contact.partner != Contact<dim>::Partner::wall;
     const bool in_plane =
-      in_mirror_plane(contact.i) && in_mirror_plane(contact.j);
+      scene.in_mirror_plane(contact.i) && scene.in_mirror_plane(contact.j);
     return (with_itself ? 0.5 : 1.) * (in_plane ? 0.5 : 1.);
   }
 
@@ -186,7 +177,7 @@ namespace Catena
   Contacts<dim>::enforce(Configuration<dim> &configuration) const
   {
     constexpr unsigned int max_steps = 50;
-    constexpr double       accuracy = 1e-13, acceptable = 1e-9;
+    constexpr double       accuracy = 1e-13, acceptable = touching;
 
     std::vector<bool> exact(pairs.size());
     double            error = 0.;
@@ -202,8 +193,8 @@ namespace Catena
               exact[p] = excess < reach && last_force(gaps[p].contact) > 0.;
             error = std::max(error, exact[p] ? std::abs(excess) : -excess);
           }
-        if (error < accuracy)
-          return;
+        if (error < accuracy || step == max_steps)
+          break;
         displace(gaps, exact, configuration);
       }
     if (error > acceptable)

@@ -40,9 +40,8 @@ namespace Catena
     offsets.push_back(0);
     for (unsigned int i = 0; i < scene.particles.size(); ++i)
       {
-        const Particle<dim> &p = scene.particles[i];
-        const bool           in_plane =
-          dim == 2 || (scene.mirrored() && p.centre[dim - 1] == 0.);
+        const Particle<dim> &p        = scene.particles[i];
+        const bool           in_plane = dim == 2 || scene.in_mirror_plane(i);
 
         if (!p.on_axis)
           for (unsigned int d = 0; d < (in_plane ? 2 : dim); ++d)

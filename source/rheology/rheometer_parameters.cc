@@ -131,6 +131,14 @@ namespace Catena
                 lowest_rate,
                 "Steady flow/Highest rate",
                 highest_rate);
+    require(n_rates >= 2,
+            "Steady flow/Number of rates",
+            n_rates,
+            "give a number of at least 2");
+    require(n_times >= 2,
+            "Start-up/Number of times",
+            n_times,
+            "give a number of at least 2");
     require(!start_up_rates.empty() ||
               !(wants("start_up_shear") || wants("start_up_extension")),
             "Start-up/Rates",

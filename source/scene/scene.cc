@@ -158,9 +158,8 @@ namespace Catena
   double
   Scene<dim>::multiplicity(const unsigned int particle) const
   {
-    const Particle<dim> &p         = particles[particle];
-    const bool           on_mirror = mirrored() && p.centre[dim - 1] == 0.;
-    return (on_mirror ? 2. : 1.) * (p.on_axis ? 2. : 1.);
+    return (in_mirror_plane(particle) ? 2. : 1.) *
+           (particles[particle].on_axis ? 2. : 1.);
   }
 
 
@@ -244,20 +243,19 @@ namespace Catena
                 p.centre,
                 "the particle is in a wall; move it or enlarge the box");
         if (p.on_axis)
-          require(p.centre[0] == 0. && p.centre[1] == 0.,
+          require(p.centre == Point<dim>(),
                   name,
                   p.centre,
-                  "a particle on the axis must have its centre at x = y = 0");
+                  "a particle on the axis must have its centre at the origin");
         if (dim == 3)
           {
             require(p.radius < high[dim - 1],
                     "Scene/Width",
                     width,
                     "enlarge the box: it must be wider than a particle");
-            const double z         = p.centre[dim - 1];
-            const bool   on_mirror = mirrored() && z == 0.;
-            require(on_mirror || (z - p.radius > low[dim - 1] &&
-                                  z + p.radius < high[dim - 1]),
+            const double z = p.centre[dim - 1];
+            require(in_mirror_plane(i) || (z - p.radius > low[dim - 1] &&
+                                           z + p.radius < high[dim - 1]),
                     name,
                     p.centre,
                     "the particle crosses a mirror plane; put its centre on "

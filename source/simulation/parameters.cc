@@ -159,6 +159,10 @@ namespace Catena
   SimulationParameters::check_scene(const Scene<dim> &scene) const
   {
     scene.check();
+    require(reversal_strains.empty() || !scene.pressure_driven(),
+            "Time/Reversal strains",
+            reversal_strains.empty() ? 0. : reversal_strains[0],
+            "there is no shear to turn back: leave it empty");
     double volume = 1.;
     for (unsigned int d = 0; d < dim; ++d)
       volume *= scene.upper()[d] - scene.lower()[d];

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -197,6 +198,9 @@ namespace Catena
       void
       answer(const Signals &signals);
 
+      void
+      end_if_asked(const Signals::Request &request) const;
+
       bool
       is_finished(const StepReport &step) const;
     };
@@ -207,7 +211,6 @@ namespace Catena
     void
     Run<dim>::start()
     {
-      checkpoint.clear();
       simulation.initialize();
       trajectory = std::make_unique<Trajectory<dim>>(table_path(),
                                                      simulation,
@@ -343,10 +346,7 @@ namespace Catena
 
 
 
-    /**
-     * Write a checkpoint if it is due or asked for.
-     * @throws Interrupted if the run was asked to end
-     */
+    /// Write a checkpoint if it is due or asked for, and end if that is.
     template <int dim>
     void
     Run<dim>::answer(const Signals &signals)
@@ -355,6 +355,16 @@ namespace Catena
       if (parameters.checkpoint.enabled &&
           (clock.is_due(simulation.strain()) || request.checkpoint))
         write_checkpoint();
+      end_if_asked(request);
+    }
+
+
+
+    /// @throws Interrupted if the run was asked to end
+    template <int dim>
+    void
+    Run<dim>::end_if_asked(const Signals::Request &request) const
+    {
       if (request.end == 0)
         return;
       std::ostringstream text;
@@ -399,6 +409,8 @@ namespace Catena
         write_checkpoint();
       simulation.report().write(directory);
       simulation.report().print(std::cout);
+      // of a sweep, which has other runs to come
+      end_if_asked(signals.pending(communicator));
     }
 
 
@@ -442,6 +454,20 @@ namespace Catena
 
 
 
+  void
+  remove_results(const std::string &directory, const MPI_Comm communicator)
+  {
+    Checkpoint(directory, communicator).clear();
+    if (Utilities::MPI::this_mpi_process(communicator) != 0)
+      return;
+    std::error_code there_is_none;
+    for (const std::string name :
+         {"trajectory.csv", "fields.pvd", "fields", "run_report.txt"})
+      std::filesystem::remove_all(directory + "/" + name, there_is_none);
+  }
+
+
+
   template <int dim>
   void
   run_simulation(const Scene<dim>                             &scene,
@@ -455,9 +481,12 @@ namespace Catena
     if (options.resume)
       run.resume();
     else
-      prepare_output_directory(options.directory,
-                               options.overwrite,
-                               communicator);
+      {
+        prepare_output_directory(options.directory,
+                                 options.overwrite,
+                                 communicator);
+        remove_results(options.directory, communicator);
+      }
     try
       {
         if (!options.resume)

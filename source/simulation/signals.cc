@@ -13,26 +13,29 @@ namespace Catena
   {
     volatile std::sig_atomic_t checkpoint_wanted = 0, end_wanted = 0;
 
-    extern "C" void
-    note_signal(const int signal)
-    {
-      if (signal == SIGUSR1)
-        checkpoint_wanted = 1;
-      else
-        end_wanted = signal;
-    }
-
-
-
     void
     handle(const int signal, void (*handler)(int))
     {
       struct sigaction action = {};
       action.sa_handler       = handler;
       action.sa_flags         = SA_RESTART;
-      if (signal != SIGUSR1 && handler != SIG_DFL)
-        action.sa_flags |= SA_RESETHAND;
       sigaction(signal, &action, nullptr);
+    }
+
+
+
+    extern "C" void
+    note_signal(const int signal)
+    {
+      if (signal == SIGUSR1)
+        checkpoint_wanted = 1;
+      else if (end_wanted)
+        {
+          handle(signal, SIG_DFL);
+          std::raise(signal);
+        }
+      else
+        end_wanted = signal;
     }
   } // namespace
 

@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
+#include <optional>
+#include <set>
 #include <sstream>
 
 namespace Catena
@@ -177,6 +180,19 @@ namespace Catena
         rate(parameters) = r;
       return parameters;
     }
+
+
+
+    const std::string folder_name = "rate_";
+
+    /// Where the run at a rate is recorded.
+    std::string
+    folder(const std::string &directory, const double r)
+    {
+      std::ostringstream name;
+      name << directory << '/' << folder_name << r;
+      return name.str();
+    }
   } // namespace
 
 
@@ -184,6 +200,7 @@ namespace Catena
   void
   SteadySweepParameters::check(const SimulationParameters &simulation) const
   {
+    std::set<std::string> folders;
     for (const double r : rates)
       {
         require(r >= 0. && std::isfinite(r),
@@ -191,6 +208,10 @@ namespace Catena
                 r,
                 "give numbers that are not negative");
         at_rate(simulation, r).check();
+        require(folders.insert(folder("", r)).second,
+                "Sweep/Rates",
+                r,
+                "give each rate once; they differ in their first six digits");
       }
     require(rates.empty() || simulation.fluid.model != Model::newtonian,
             "Sweep/Rates",
@@ -215,17 +236,6 @@ namespace Catena
         return sweep.rates;
       return {parameters.fluid.model == Model::newtonian ? 0. :
                                                            rate(parameters)};
-    }
-
-
-
-    /// Where the run at a rate is recorded.
-    std::string
-    folder(const std::string &directory, const double r)
-    {
-      std::ostringstream name;
-      name << directory << "/rate_" << r;
-      return name.str();
     }
 
 
@@ -255,6 +265,23 @@ namespace Catena
                               "': start without --resume, with --overwrite if "
                               "it holds files");
       return result;
+    }
+
+
+
+    /// Remove what the runs of an earlier sweep left.
+    void
+    remove_runs(const std::string &directory, const MPI_Comm communicator)
+    {
+      std::vector<std::string> names;
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        for (const auto &entry : std::filesystem::directory_iterator(directory))
+          if (entry.is_directory() &&
+              entry.path().filename().string().find(folder_name) == 0)
+            names.push_back(entry.path().string());
+      for (const std::string &name :
+           Utilities::MPI::broadcast(communicator, names))
+        remove_results(name, communicator);
     }
 
 
@@ -313,13 +340,20 @@ namespace Catena
   {
     const std::vector<double> rates = all_rates(sweep, parameters);
     const auto                begin = beginnings(rates, options, communicator);
+    std::optional<TrajectoryTable> table;
+    const auto                     open_table = [&]() {
+      table.emplace(options.directory + "/" + quantity.table + ".csv",
+                    communicator);
+      declare_columns(*table, quantity.name, quantity.unit);
+    };
     if (!options.resume)
-      prepare_output_directory(options.directory,
-                               options.overwrite,
-                               communicator);
-    TrajectoryTable table(options.directory + "/" + quantity.table + ".csv",
-                          communicator);
-    declare_columns(table, quantity.name, quantity.unit);
+      {
+        prepare_output_directory(options.directory,
+                                 options.overwrite,
+                                 communicator);
+        remove_runs(options.directory, communicator);
+        open_table();
+      }
 
     const bool is_writer = Utilities::MPI::this_mpi_process(communicator) == 0;
     for (unsigned int i = 0; i < rates.size(); ++i)
@@ -329,7 +363,10 @@ namespace Catena
         const SimulationParameters at = at_rate(parameters, rates[i]);
         SteadyState<dim>           state(at, quantity, sweep.tolerance);
         run_simulation<dim>(scene, at, begin[i], communicator, &state);
-        write_row(table, quantity.name, rates[i], state.result());
+        // a run that is refused leaves the table of the sweep before
+        if (!table)
+          open_table();
+        write_row(*table, quantity.name, rates[i], state.result());
         if (is_writer)
           std::cout << "rate " << rates[i] << ": " << quantity.name << " = "
                     << state.result().value << ' ' << quantity.unit

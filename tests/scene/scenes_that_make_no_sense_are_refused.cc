@@ -140,7 +140,18 @@ places(Tests::Claims &claims)
             scene.particles[0].on_axis = true;
             scene.check();
           },
-          {name + "3 0", "x = y = 0"});
+          {name + "3 0", "at the origin"});
+  if (dim == 3)
+    refused(claims,
+            "on the axis beside the mirror plane" + suffix,
+            []() {
+              Point<dim> centre;
+              centre[dim - 1] = 3.;
+              auto scene      = one_particle<dim>(centre, Symmetry::quarter);
+              scene.particles[0].on_axis = true;
+              scene.check();
+            },
+            {name + "0 0 3", "at the origin"});
   refused(claims,
           "no radius" + suffix,
           []() {

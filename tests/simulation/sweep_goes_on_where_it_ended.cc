@@ -1,6 +1,6 @@
 // A sweep that fails goes on with the rate that was not finished: its tables
 // are those of a sweep that was left alone. Rates can be added, another mesh is
-// refused.
+// refused and changes nothing. One that replaces another takes nothing from it.
 
 #include <catena/scene/confined_cylinder.h>
 #include <catena/simulation/steady_sweep.h>
@@ -15,6 +15,22 @@ using namespace Catena;
 namespace
 {
   const std::string whole = "whole", broken = "broken";
+
+
+
+  RunOptions
+  anew(const std::string &directory)
+  {
+    return {directory, false, false};
+  }
+
+
+
+  RunOptions
+  resumed(const std::string &directory)
+  {
+    return {directory, false, true};
+  }
 
 
 
@@ -37,8 +53,7 @@ namespace
 
   /// @return what the sweep is refused or ends with; empty if all is well
   std::string
-  sweep(const std::string          &directory,
-        const bool                  resume,
+  sweep(const RunOptions           &options,
         const std::vector<double>  &rates,
         const SteadyQuantity<2>    &quantity,
         const SimulationParameters &parameters = coarse())
@@ -53,12 +68,8 @@ namespace
     std::string        message;
     try
       {
-        steady_sweep(scene.scene(),
-                     parameters,
-                     sweep,
-                     quantity,
-                     {directory, false, resume},
-                     MPI_COMM_WORLD);
+        steady_sweep(
+          scene.scene(), parameters, sweep, quantity, options, MPI_COMM_WORLD);
       }
     catch (const Error &error)
       {
@@ -104,11 +115,11 @@ main(int argc, char **argv)
     };
 
     claims.holds("a sweep ends well",
-                 sweep(whole, false, {0., 0.2}, drag) == "");
+                 sweep(anew(whole), {0., 0.2}, drag) == "");
     claims.holds("no checkpoint is said to be none",
-                 sweep(broken, true, {0., 0.2}, drag)
+                 sweep(resumed(broken), {0., 0.2}, drag)
                      .find("without --resume") != std::string::npos);
-    const std::string message = sweep(broken, false, {0., 0.2}, failing);
+    const std::string message = sweep(anew(broken), {0., 0.2}, failing);
     claims.holds("one that fails names strain and checkpoint",
                  message.find("At strain 1.275") != std::string::npos &&
                    message.find("checkpoint is that of strain 1.075:") !=
@@ -116,18 +127,28 @@ main(int argc, char **argv)
     auto other                     = coarse();
     other.mesh.elements_on_equator = 20;
     claims.holds("another mesh is refused by name",
-                 sweep(broken, true, {0., 0.2}, drag, other)
+                 sweep(resumed(broken), {0., 0.2}, drag, other)
                      .find("'Mesh / Elements on equator' = 20") !=
                    std::string::npos);
+    claims.holds("and leaves the table",
+                 Tests::read_table(std::filesystem::current_path().string() +
+                                   "/" + broken + "/drag.csv")
+                     .n_rows == 1);
     claims.holds("goes on when it is mended",
-                 sweep(broken, true, {0., 0.2}, drag) == "");
+                 sweep(resumed(broken), {0., 0.2}, drag) == "");
     for (const std::string name :
          {"drag.csv", "rate_0/trajectory.csv", "rate_0.2/trajectory.csv"})
       claims.holds(name + " is the same", same(name));
 
     claims.holds("a rate is added",
-                 sweep(whole, true, {0., 0.1, 0.2}, drag) == "" &&
-                   sweep(broken, true, {0., 0.1, 0.2}, drag) == "");
+                 sweep(resumed(whole), {0., 0.1, 0.2}, drag) == "" &&
+                   sweep(resumed(broken), {0., 0.1, 0.2}, drag) == "");
     claims.holds("to the table", same("drag.csv"));
+
+    sweep({broken, true, false}, {0.3}, failing);
+    for (const std::string rate : {"0", "0.1", "0.2"})
+      claims.holds("nothing is left of rate " + rate + " after another sweep",
+                   !std::filesystem::exists(broken + "/rate_" + rate +
+                                            "/checkpoint_0"));
   });
 }

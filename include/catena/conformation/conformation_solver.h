@@ -23,7 +23,8 @@ namespace Catena
    */
   struct ConformationSolverParameters
   {
-    /// residual against the right-hand side, rows scaled with their diagonal
+    /// preconditioned residual against the right-hand side, both of rows
+    /// scaled with their diagonal
     double       tolerance      = 1e-8;
     unsigned int max_iterations = 200;
 
@@ -130,7 +131,7 @@ namespace Catena
    */
   struct ConformationExtremes
   {
-    double smallest_eigenvalue = 1.; ///< of c
+    double smallest_eigenvalue = 1.; ///< of c, or 1, that at rest
     double largest_trace       = 0.; ///< tr(c - I) = tr(tau)/G
     double largest_log         = 0.; ///< largest |eigenvalue| of s = log(c)
   };

@@ -13,7 +13,9 @@ namespace Catena
   /**
    * The coarser levels of a multigrid below a given one: P C P^T r, where C is
    * a V-cycle for P^T A P that uses the correction of the next coarser level,
-   * made of aggregates, or the inverse where the level is small.
+   * made of aggregates, or the inverse where the level is small. A level whose
+   * aggregates are hardly fewer than its nodes, as on many ranks with few nodes
+   * each, has no coarser one: it is left to its smoother.
    */
   class CoarseCorrection
   {

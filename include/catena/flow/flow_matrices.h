@@ -93,7 +93,7 @@ namespace Catena
     VectorType          velocity_rhs, pressure_rhs;
     std::vector<double> rigid_rhs;
 
-    /// int q / viscosity, the Schur complement's approximation, and int q.
+    /// int p q / viscosity, the Schur complement's approximation, and int q.
     dealii::TrilinosWrappers::SparseMatrix pressure_mass;
     VectorType                             vertex_volumes;
 
@@ -132,10 +132,6 @@ namespace Catena
     };
     /// by cell of the mesh
     std::vector<Offsets> offsets;
-
-    /// The vertex whose pressure a vertex has.
-    unsigned int
-    pressure_master(const unsigned int vertex) const;
 
   private:
     const MovingMesh<dim>  &mesh;

@@ -179,12 +179,6 @@ namespace Catena
     dealii::types::global_dof_index
     n_unknowns() const;
 
-    const dealii::AffineConstraints<double> &
-    constraints() const
-    {
-      return velocity_lines;
-    }
-
   private:
     const FlowSolverParameters   parameters;
     const MovingMesh<dim>       *mesh        = nullptr;
@@ -194,7 +188,6 @@ namespace Catena
     Configuration<dim>           configuration;
     bool                         held = false;
 
-    dealii::AffineConstraints<double>  velocity_lines;
     std::vector<NodeCoupling<dim>>     couplings;
     std::unique_ptr<FlowMatrices<dim>> matrices;
     FlowPreconditioner<dim>            preconditioner;

@@ -6,8 +6,9 @@
 namespace Catena
 {
   /**
-   * Force and torque that must act on each whole particle from outside to
-   * balance the fluid, by rigid-body unknown: the sums of the nodal reactions
+   * Force [eta0 gamma a^2] and torque [eta0 gamma a^3] that must act on each
+   * whole particle from outside to balance the fluid, by rigid-body unknown:
+   * the sums of the nodal reactions
    *
    *   int (sigma : grad(phi_i e_d) - P/L phi_i e_x.e_d) over the fluid
    *

@@ -11,8 +11,8 @@ namespace Catena
 {
   /**
    * The motion against which that of a particle is counted: the imposed shear
-   * flow and its rotation at the centre, or rest while particles are held; for
-   * a fixed particle rest and no rotation.
+   * flow and its rotation at the centre; only the rotation while particles are
+   * held; for a fixed particle rest and no rotation.
    */
   template <int dim>
   std::vector<RigidMotion<dim>>
@@ -37,13 +37,6 @@ namespace Catena
                        const RigidBodies<dim>   &bodies,
                        const Configuration<dim> &configuration,
                        const bool                held_in_place);
-
-  /**
-   * Constraints of the pressure: equal at identified vertices.
-   */
-  template <int dim>
-  dealii::AffineConstraints<double>
-  pressure_constraints(const MovingMesh<dim> &mesh);
 } // namespace Catena
 
 #endif

@@ -26,7 +26,7 @@ namespace Catena
      * Find the nodes of @p target, at @p target_positions, in @p source, at
      * @p source_positions. The meshes are kept by reference.
      *
-     * @throws MeshError if a node is farther from the old mesh than a tenth
+     * @throws MeshError if a node is farther from the old mesh than the size
      * of an element
      */
     FieldTransfer(const MovingMesh<dim> &source,

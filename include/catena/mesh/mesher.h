@@ -63,9 +63,6 @@ namespace Catena
     /// how many meshes were made until one was accepted
     unsigned int attempts = 0;
 
-    /// a mesh that took more attempts than this may differ the next time
-    static constexpr unsigned int n_reproducible_attempts = 6;
-
     /// Save or load vertices, cells and boundary.
     /// @throws CheckpointError if what is loaded is no mesh
     void
@@ -80,8 +77,7 @@ namespace Catena
    * A mesh with a cell below the minimal quality is made again: with all sizes
    * times 0.97, 1.03 and 0.94, then with more optimisation (sizes times 1 and
    * 0.91), then by another algorithm. The same input gives the same mesh, bit
-   * by bit, except for that last resort (`attempts` above
-   * `n_reproducible_attempts`).
+   * by bit, except for that last resort (`attempts` above 6).
    *
    * Each attempt is made in a child process, which may crash or hang: it then
    * counts as failed, after the time limit at the latest.

@@ -235,6 +235,14 @@ namespace Catena
       return node_vertices[node];
     }
 
+    /// The degree of freedom of P1 that stands for an identified one.
+    unsigned int
+    vertex_master(const unsigned int scalar_dof) const
+    {
+      return vertex_of_node(
+        identification().master(node_of_vertex(scalar_dof)));
+    }
+
     /// The end nodes of the edge of a P2 node; the node itself at a vertex.
     const std::array<unsigned int, 2> &
     edge_ends(const unsigned int node) const

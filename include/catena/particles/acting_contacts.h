@@ -58,6 +58,7 @@ namespace Catena
      * diagonal is used if it is not positive definite
      * @param motion first guess of r
      * @param forces first guess of F_r, by contact
+     * @throws SolverError if no set of contacts is found
      */
     ActingContacts(const dealii::FullMatrix<double> &resistance,
                    const ContactBlocks              &contacts,
@@ -77,6 +78,7 @@ namespace Catena
      *
      * @param force_tolerance attraction that counts as no force; a gap rate
      * counts as none if a force like this would change it by as much
+     * @throws SolverError if no other set of contacts is found
      */
     bool
     are_found(const std::vector<double> &motion,

@@ -86,10 +86,11 @@ namespace Catena
 
     /**
      * Move the particles back to where no gap is below the smallest one and
-     * the held ones are exactly the smallest one, to 1e-13. The sum of the
-     * squares of the displacements of all particles and images is the
-     * smallest in each of the Newton steps. Held gaps that others do not allow
-     * to be exact may be wider.
+     * the held ones are exactly the smallest one, to 1e-13, or at least to the
+     * 1e-10 below which a gap counts as closed. The sum of the squares of the
+     * displacements of all particles and images is the smallest in each of the
+     * Newton steps. Held gaps that others do not allow to be exact may be
+     * wider.
      *
      * @throws SolverError if the particles have no room
      */
@@ -98,7 +99,7 @@ namespace Catena
 
     /**
      * Hold the contacts that repel, let go all others.
-     * @param forces F_r, by contact
+     * @param forces F_r by contact [eta0 gamma a^2]
      */
     void
     remember(const std::vector<Contact<dim>> &contacts,
@@ -125,8 +126,8 @@ namespace Catena
       return held.size();
     }
 
-    /// Smallest gap over all pairs of particles, in diameters 2a; infinite
-    /// without any.
+    /// Smallest gap over the pairs of particles of which one can move, in
+    /// diameters 2a; infinite without any.
     double
     smallest_gap(const Configuration<dim> &configuration) const;
 
@@ -170,9 +171,6 @@ namespace Catena
 
     void
     add_planes(const unsigned int particle);
-
-    bool
-    in_mirror_plane(const unsigned int particle) const;
 
     double
     meshed_share(const Contact<dim> &contact) const;

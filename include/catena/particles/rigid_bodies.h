@@ -18,8 +18,8 @@ namespace Catena
   template <int dim>
   struct RigidMotion
   {
-    dealii::Tensor<1, dim> velocity;
-    dealii::Tensor<1, 3>   angular_velocity;
+    dealii::Tensor<1, dim> velocity;         ///< [a gamma]
+    dealii::Tensor<1, 3>   angular_velocity; ///< [gamma]
 
     /// Velocity of the surface point at @p arm from the centre.
     dealii::Tensor<1, dim>

@@ -77,10 +77,6 @@ namespace Catena
     double
     solvent_viscosity() const;
 
-    /// alpha.
-    double
-    mobility_parameter() const;
-
     /**
      * The relaxation f(c) of the conformation @p c, in units of gamma.
      */
@@ -165,15 +161,6 @@ namespace Catena
   Giesekus<dim>::solvent_viscosity() const
   {
     return beta;
-  }
-
-
-
-  template <int dim>
-  inline double
-  Giesekus<dim>::mobility_parameter() const
-  {
-    return alpha;
   }
 
 

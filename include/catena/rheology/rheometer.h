@@ -67,7 +67,8 @@ namespace Catena
      * Simple shear at @p rate > 0 from rest: the functions at each of
      * @p times, see start_up().
      *
-     * @throws InputError if the rate or @p times cannot be used.
+     * @throws InputError if the rate, or in an elastic fluid a time, cannot be
+     * used.
      * @throws SolverError if the result is not finite.
      */
     std::vector<ShearFunctions>
@@ -86,7 +87,8 @@ namespace Catena
      * Uniaxial extension at @p rate > 0 from rest: (sigma_xx - sigma_yy)/rate
      * at each of @p times, see start_up().
      *
-     * @throws InputError if the rate or @p times cannot be used.
+     * @throws InputError if the rate, or in an elastic fluid a time, cannot be
+     * used.
      * @throws SolverError if the result is not finite.
      */
     std::vector<double>

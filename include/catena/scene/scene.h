@@ -123,15 +123,6 @@ namespace Catena
     /// Image of @p p, before any move by the period.
     dealii::Point<dim>
     image(const dealii::Point<dim> &p) const;
-
-    /**
-     * Sign of component @p d of a vector under the identification.
-     */
-    double
-    vector_sign(const unsigned int d) const
-    {
-      return rotation && d < 2 ? -1. : 1.;
-    }
   };
 
   /**
@@ -175,6 +166,13 @@ namespace Catena
     mirrored() const
     {
       return dim == 3 && symmetry != Symmetry::none;
+    }
+
+    /// Is only half of a particle meshed, the other one mirrored?
+    bool
+    in_mirror_plane(const unsigned int particle) const
+    {
+      return mirrored() && particles[particle].centre[dim - 1] == 0.;
     }
 
     bool

@@ -47,6 +47,15 @@ namespace Catena
 
 
   /**
+   * Remove what run_simulation() left in a directory, so that nothing of an
+   * earlier run is taken for part of the next. Collective.
+   */
+  void
+  remove_results(const std::string &directory, const MPI_Comm communicator);
+
+
+
+  /**
    * Run a simulation to its final strain and record it in a directory:
    *
    * - `trajectory.csv`, a row for the start and for every step,
