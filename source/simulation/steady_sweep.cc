@@ -273,15 +273,11 @@ namespace Catena
     void
     remove_runs(const std::string &directory, const MPI_Comm communicator)
     {
-      std::vector<std::string> names;
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
         for (const auto &entry : std::filesystem::directory_iterator(directory))
           if (entry.is_directory() &&
               entry.path().filename().string().find(folder_name) == 0)
-            names.push_back(entry.path().string());
-      for (const std::string &name :
-           Utilities::MPI::broadcast(communicator, names))
-        remove_results(name, communicator);
+            remove_results(entry.path().string(), communicator);
     }
 
 

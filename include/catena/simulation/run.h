@@ -48,7 +48,8 @@ namespace Catena
 
   /**
    * Remove what run_simulation() left in a directory, so that nothing of an
-   * earlier run is taken for part of the next. Collective.
+   * earlier run is taken for part of the next. Process 0 does so, the others
+   * do nothing.
    */
   void
   remove_results(const std::string &directory, const MPI_Comm communicator);
