@@ -104,9 +104,11 @@ FIGURES = {
     "19": Lines(["figure_18"], [MIDDLE, OUTER, FORCE], "lambda_c gamma = 10"),
     "19_pairs": Lines(["figure_18_pairs"], [SPIN, FORCE],
                       "lambda_c gamma = 10"),
+    "meshes": Lines(["meshes_figure_8", "meshes_figure_9", "meshes_figure_11"],
+                    [SMALL_THETA]),
     "choices": Lines(["choices"], [SMALL_THETA, OUTER]),
 }
 
 
 def file_name(figure):
-    return figure if figure == "choices" else f"figure_{figure}"
+    return f"figure_{figure}" if figure[0].isdigit() else figure

@@ -3,14 +3,14 @@
 #include <catena/base/program_options.h>
 #include <catena/output/progress.h>
 #include <catena/simulation/checkpoint.h>
+#include <catena/simulation/checkpoint_clock.h>
 #include <catena/simulation/field_schedule.h>
+#include <catena/simulation/health_watch.h>
 #include <catena/simulation/run.h>
 #include <catena/simulation/run_identity.h>
 #include <catena/simulation/signals.h>
 #include <catena/simulation/trajectory.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -19,102 +19,6 @@
 namespace Catena
 {
   using namespace dealii;
-
-  namespace
-  {
-    /**
-     * Says once when the conformation is stretched so far that no mesh of this
-     * kind resolves its layers, as in a fluid whose stress has no bound in a
-     * steady extension (alpha = 0): such a run may have no steady state.
-     */
-    class HealthWatch
-    {
-    public:
-      void
-      look_at(const ConformationExtremes &extremes,
-              const double                strain,
-              Progress                   &progress,
-              RunReport                  &report)
-      {
-        largest = std::max(largest, extremes.largest_log);
-        report.note("largest |log c|", largest);
-        if (warned || largest < suspicious_log)
-          return;
-        warned = true;
-        report.note("health warning from strain", strain);
-        std::ostringstream text;
-        text << "Warning: at strain " << strain
-             << " the log-conformation has reached " << largest
-             << ". The stress beside the particles is not resolved, and it may "
-                "have no steady state.";
-        progress.message(text.str());
-      }
-
-      void
-      archive(Archive &archive)
-      {
-        archive(largest, warned);
-      }
-
-    private:
-      /// a stretch of e^8 = 3000 in c
-      static constexpr double suspicious_log = 8.;
-
-      double largest = 0.;
-      bool   warned  = false;
-    };
-  } // namespace
-
-
-
-  namespace
-  {
-    /**
-     * Tells when a checkpoint is due. Wall time is that of process 0.
-     */
-    class CheckpointClock
-    {
-    public:
-      CheckpointClock(const CheckpointParameters &parameters,
-                      const MPI_Comm              communicator)
-        : parameters(parameters)
-        , communicator(communicator)
-      {}
-
-      bool
-      is_due(const double strain) const
-      {
-        if (!parameters.enabled)
-          return false;
-        const double passed =
-          Utilities::MPI::broadcast(communicator, wall_clock() - second);
-        return (parameters.strain_interval > 0. &&
-                interval(strain) > interval(last_strain)) ||
-               (parameters.wall_time_interval > 0. &&
-                passed > 60. * parameters.wall_time_interval);
-      }
-
-      void
-      restart(const double strain)
-      {
-        last_strain = strain;
-        second      = wall_clock();
-      }
-
-    private:
-      const CheckpointParameters parameters;
-      const MPI_Comm             communicator;
-      double                     last_strain = 0., second = 0.;
-
-      double
-      interval(const double strain) const
-      {
-        return std::floor(strain / parameters.strain_interval + 1e-9);
-      }
-    };
-  } // namespace
-
-
 
   namespace
   {
