@@ -139,8 +139,8 @@ namespace Catena
 
 
   /**
-   * F_r is the force of the contacts together: that of the string where there
-   * is one.
+   * F_r is the mean over the gaps that are held: that of each gap of a string,
+   * whichever part of the box is meshed.
    */
   template <int dim>
   void
@@ -153,12 +153,12 @@ namespace Catena
                 simulation.contact_set().smallest_gap(now.configuration));
     if (simulation.initial_scene().pressure_driven())
       table.add("pressure_drop", now.flow.pressure_drop);
-    table.add("F_r",
-              std::accumulate(forces.begin(), forces.end(), 0.) / stokes_force);
-    table.add("held_contacts",
-              std::count_if(forces.begin(), forces.end(), [](const double f) {
-                return f > 0.;
-              }));
+    const auto   n_held = std::count_if(forces.begin(),
+                                      forces.end(),
+                                      [](const double f) { return f > 0.; });
+    const double sum    = std::accumulate(forces.begin(), forces.end(), 0.);
+    table.add("F_r", n_held > 0 ? sum / n_held / stokes_force : 0.);
+    table.add("held_contacts", n_held);
   }
 
 
