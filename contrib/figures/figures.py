@@ -106,7 +106,7 @@ FIGURES = {
                       "lambda_c gamma = 10"),
     "meshes": Lines(["meshes_figure_8", "meshes_figure_9", "meshes_figure_11"],
                     [SMALL_THETA]),
-    "choices": Lines(["choices"], [SMALL_THETA, OUTER]),
+    "choices": Lines(["choices"], [THETA, OUTER]),
 }
 
 
