@@ -106,6 +106,7 @@ FIGURES = {
                       "lambda_c gamma = 10"),
     "meshes": Lines(["meshes_figure_8", "meshes_figure_9", "meshes_figure_11"],
                     [SMALL_THETA]),
+    "meshes_18": Lines(["meshes_figure_18"], [THETA, OUTER, FORCE]),
     "choices": Lines(["choices"], [THETA, OUTER]),
 }
 
