@@ -47,12 +47,10 @@ namespace
   Scene<2>
   whole_box()
   {
-    Scene<2> scene = Tests::close_discs();
-    scene.symmetry = Symmetry::none;
-    for (auto &particle : scene.particles)
-      particle.on_axis = false;
-    const auto outer = scene.particles[1].centre;
-    scene.particles.push_back({-1. * outer});
+    Scene<2> scene             = Tests::close_discs();
+    scene.symmetry             = Symmetry::none;
+    scene.particles[0].on_axis = false;
+    scene.particles.push_back({-1. * scene.particles[1].centre});
     scene.line = {{1, 2}};
     return scene;
   }
