@@ -1,9 +1,9 @@
+#include <catena/base/wall_clock.h>
 #include <catena/output/progress.h>
 
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -48,15 +48,6 @@ namespace Catena
       return 79;
     }
   } // namespace
-
-
-
-  double
-  wall_clock()
-  {
-    const auto now = std::chrono::steady_clock::now().time_since_epoch();
-    return std::chrono::duration<double>(now).count();
-  }
 
 
 

@@ -1,4 +1,4 @@
-#include <catena/output/progress.h>
+#include <catena/base/wall_clock.h>
 #include <catena/simulation/checkpoint_clock.h>
 
 #include <cmath>

@@ -1,8 +1,8 @@
 #include <catena/base/exceptions.h>
 #include <catena/base/replace_field.h>
+#include <catena/base/wall_clock.h>
 #include <catena/flow/velocity_constraints.h>
 #include <catena/mesh/cell_fields.h>
-#include <catena/output/progress.h>
 #include <catena/simulation/extrapolation.h>
 #include <catena/simulation/simulation.h>
 #include <catena/simulation/step_error.h>

@@ -1,6 +1,6 @@
 #include <catena/base/exceptions.h>
 #include <catena/base/program_options.h>
-#include <catena/output/progress.h>
+#include <catena/base/wall_clock.h>
 #include <catena/output/trajectory_table.h>
 #include <catena/simulation/checkpoint.h>
 #include <catena/simulation/steady_sweep.h>

@@ -1,7 +1,7 @@
 // An attempt at a mesh that throws, crashes or hangs is followed by another
 // one; when all fail the last cause is told.
 
-#include <catena/output/progress.h>
+#include <catena/base/wall_clock.h>
 
 #include <unistd.h>
 

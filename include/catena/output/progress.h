@@ -13,12 +13,6 @@
 namespace Catena
 {
   /**
-   * Seconds since some fixed time.
-   */
-  double
-  wall_clock();
-
-  /**
    * A time in words that fit a line: "4.2 s", "3 min 20 s", "2 h 05 min".
    */
   std::string
