@@ -11,14 +11,15 @@ using namespace Catena::Tests;
 
 
 std::vector<Trace>
-traces(const unsigned int elements_on_equator,
+traces(Claims            &claims,
+       const unsigned int elements_on_equator,
        const unsigned int elements_across_gap)
 {
   std::vector<double> strains;
   for (unsigned int i = 0; i < 10; ++i)
     strains.push_back(1.04 + 0.24 * i);
   return traces_of_new_meshes(
-    elements_on_equator, elements_across_gap, 0.08, strains, 1);
+    claims, elements_on_equator, elements_across_gap, 0.08, strains, 1);
 }
 
 
@@ -27,7 +28,7 @@ int
 main(int argc, char **argv)
 {
   return run(argc, argv, [](Claims &claims) {
-    const auto on_m2 = traces(64, 2), on_m3 = traces(96, 3);
+    const auto on_m2 = traces(claims, 64, 2), on_m3 = traces(claims, 96, 3);
     claims.at_most("M2, spin [gamma]", largest(on_m2).spin, 2e-3);
     claims.at_most("M2, force [F_S]", largest(on_m2).force, 2e-3);
     claims.at_most("M3, spin [gamma]", largest(on_m3).spin, 5e-4);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -74,13 +75,14 @@ namespace Catena
     /**
      * A pair at the smallest gap in a Giesekus fluid with Wi = 3, alpha = 0.01,
      * beta = 0.1, in time steps of @p dt and without a new mesh. From each of
-     * @p strains on, at which its gap is to be held, a copy goes on with a new
-     * mesh, for @p n_steps steps.
+     * @p strains on, a copy goes on with a new mesh, for @p n_steps steps. It
+     * is a claim that a force holds the gap in all of them.
      *
      * @return for each of the strains the largest differences of the two
      */
     inline std::vector<Trace>
-    traces_of_new_meshes(const unsigned int         elements_on_equator,
+    traces_of_new_meshes(Claims                    &claims,
+                         const unsigned int         elements_on_equator,
                          const unsigned int         elements_across_gap,
                          const double               dt,
                          const std::vector<double> &strains,
@@ -108,6 +110,7 @@ namespace Catena
       };
       std::vector<Copy>  copies;
       std::vector<Trace> traces;
+      double             least_force = std::numeric_limits<double>::max();
       Simulation<3>      without(scene, parameters, MPI_COMM_WORLD);
       without.initialize();
       while (traces.size() < strains.size() || !copies.empty())
@@ -124,6 +127,9 @@ namespace Catena
           without.advance();
           for (Copy &with : copies)
             {
+              least_force =
+                std::min(least_force,
+                         without.current_state().now.flow.contact_forces.at(0));
               with.simulation->advance();
               Trace &trace = traces[with.trace];
               trace        = largest(trace,
@@ -146,6 +152,8 @@ namespace Catena
                                       }),
                        copies.end());
         }
+      claims.holds("there is a force to compare",
+                   least_force / (6. * dealii::numbers::PI) > 0.1);
       return traces;
     }
 
