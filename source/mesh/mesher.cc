@@ -3,6 +3,7 @@
 #include <catena/mesh/boundary_snapper.h>
 #include <catena/mesh/gmsh_model.h>
 #include <catena/mesh/mesher.h>
+#include <catena/mesh/quadratic_shape.h>
 #include <catena/mesh/quality.h>
 #include <catena/mesh/size_field.h>
 
@@ -57,14 +58,41 @@ namespace Catena
 
 
 
+    /// The quality of the cells with their faces on particles curved.
     template <int dim>
     double
-    smallest_quality(const MeshDescription<dim> &mesh)
+    smallest_quality(const Scene<dim> &scene, const MeshDescription<dim> &mesh)
     {
+      using Edge = std::array<unsigned int, 2>;
+      std::map<Edge, Point<dim>> curved;
+      const auto                 surfaces = scene.surfaces();
+      for (const auto &face : boundary_faces(mesh))
+        if (face.boundary_id >= BoundaryIds::particle)
+          for (const unsigned int a : face.vertices)
+            for (const unsigned int b : face.vertices)
+              if (a < b)
+                curved[{{a, b}}] =
+                  surfaces[face.boundary_id - BoundaryIds::particle].nearest(
+                    (mesh.vertices[a] + mesh.vertices[b]) / 2.);
+
       double quality = mesh.cells.empty() ? -1. : 1.;
       for (const auto &cell : mesh.cells)
-        quality =
-          std::min(quality, simplex_quality<dim>(cell_vertices(mesh, cell)));
+        {
+          const auto vertices = cell_vertices(mesh, cell);
+          std::array<Point<dim>, n_quadratic_nodes(dim)> nodes;
+          std::copy(vertices.begin(), vertices.end(), nodes.begin());
+          for (unsigned int i = dim + 1; i < nodes.size(); ++i)
+            {
+              const auto ends = simplex_edge(i - dim - 1);
+              const auto edge =
+                std::minmax(cell.vertices[ends[0]], cell.vertices[ends[1]]);
+              const auto found = curved.find({{edge.first, edge.second}});
+              nodes[i]         = found != curved.end() ?
+                                   found->second :
+                                   (nodes[ends[0]] + nodes[ends[1]]) / 2.;
+            }
+          quality = std::min(quality, quadratic_simplex_quality<dim>(nodes));
+        }
       return quality;
     }
 
@@ -224,7 +252,6 @@ namespace Catena
         snapper.snap_to_planes();
       }
       order_along_curve(mesh);
-      mesh.quality = smallest_quality(mesh);
     }
   } // namespace
 
@@ -261,7 +288,7 @@ namespace Catena
             Archive archive(run_in_child(make, parameters.time_limit));
             MeshDescription<dim> mesh;
             archive(mesh);
-            mesh.quality  = smallest_quality(mesh);
+            mesh.quality  = smallest_quality(scene, mesh);
             mesh.attempts = count;
             if (mesh.quality >= parameters.minimal_quality)
               return mesh;

@@ -1,5 +1,4 @@
 #include <catena/base/exceptions.h>
-#include <catena/mesh/cell_values.h>
 #include <catena/mesh/moving_mesh.h>
 #include <catena/mesh/quadratic_shape.h>
 #include <catena/mesh/quality.h>
@@ -159,11 +158,7 @@ namespace Catena
 
     for (unsigned int i = 0; i < n; ++i)
       if (node_surfaces[i] != no_particle && node_ends[i][0] != i)
-        {
-          const Surface<dim>  &s = surfaces[node_surfaces[i]];
-          const Tensor<1, dim> r = points[i] - s.centre;
-          points[i]              = s.centre + s.radius / r.norm() * r;
-        }
+        points[i] = surfaces[node_surfaces[i]].nearest(points[i]);
     return points;
   }
 
@@ -294,24 +289,16 @@ namespace Catena
   double
   MovingMesh<dim>::quality() const
   {
-    const FE_SimplexP<dim> quadratic(2);
-    CellValues<dim>        at_nodes(
-      Quadrature<dim>(quadratic.get_unit_support_points(),
-                      std::vector<double>(n_nodes, 1.)));
     double smallest = 1.;
     for (const Cell &cell : local_cells)
       {
         const auto points = cell_positions(cell, current);
-        std::array<Point<dim>, n_vertices> corners;
-        std::copy_n(points.begin(), n_vertices, corners.begin());
-        smallest = std::min(smallest, simplex_quality<dim>(corners));
-        if (cell.curved && smallest > 0.)
-          {
-            at_nodes.reinit(points, true);
-            for (const auto &node : at_nodes.points())
-              if (node.JxW <= 0.)
-                smallest = -1.;
-          }
+        std::array<Point<dim>, n_vertices> vertices;
+        std::copy_n(points.begin(), n_vertices, vertices.begin());
+        smallest =
+          std::min(smallest,
+                   cell.curved ? quadratic_simplex_quality<dim>(points) :
+                                 simplex_quality<dim>(vertices));
       }
     return Utilities::MPI::min(smallest, communicator());
   }

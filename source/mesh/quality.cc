@@ -1,5 +1,7 @@
+#include <catena/mesh/quadratic_shape.h>
 #include <catena/mesh/quality.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Catena
@@ -67,4 +69,63 @@ namespace Catena
     const double size = surface * circle;
     return size > 0. ? 108. * volume * std::abs(volume) / size : 0.;
   }
+
+
+
+  namespace
+  {
+    template <int dim>
+    using NodeGradients = std::array<Tensor<1, dim>, n_quadratic_nodes(dim)>;
+
+    /// Gradients of the shape functions at the nodes of the reference simplex.
+    template <int dim>
+    std::array<NodeGradients<dim>, n_quadratic_nodes(dim)>
+    gradients_at_nodes()
+    {
+      std::array<Point<dim>, n_quadratic_nodes(dim)> nodes;
+      for (unsigned int d = 0; d < dim; ++d)
+        nodes[d + 1][d] = 1.;
+      for (unsigned int i = dim + 1; i < n_quadratic_nodes(dim); ++i)
+        {
+          const auto edge = simplex_edge(i - dim - 1);
+          nodes[i]        = (nodes[edge[0]] + nodes[edge[1]]) / 2.;
+        }
+
+      std::array<NodeGradients<dim>, n_quadratic_nodes(dim)> gradients;
+      std::transform(nodes.begin(),
+                     nodes.end(),
+                     gradients.begin(),
+                     quadratic_shape_gradients<dim>);
+      return gradients;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  double
+  quadratic_simplex_quality(
+    const std::array<Point<dim>, n_quadratic_nodes(dim)> &nodes)
+  {
+    static const auto gradients_at = gradients_at_nodes<dim>();
+    for (const NodeGradients<dim> &gradients : gradients_at)
+      {
+        Tensor<2, dim> jacobian;
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          jacobian += outer_product(Tensor<1, dim>(nodes[i]), gradients[i]);
+        if (!(determinant(jacobian) > 0.))
+          return -1.;
+      }
+
+    std::array<Point<dim>, n_linear_nodes(dim)> vertices;
+    std::copy_n(nodes.begin(), vertices.size(), vertices.begin());
+    return simplex_quality<dim>(vertices);
+  }
+
+
+
+  template double
+  quadratic_simplex_quality(const std::array<Point<2>, n_quadratic_nodes(2)> &);
+  template double
+  quadratic_simplex_quality(const std::array<Point<3>, n_quadratic_nodes(3)> &);
 } // namespace Catena

@@ -211,19 +211,31 @@ namespace Catena
   Discretization<dim>
   Remesher<dim>::make(const Configuration<dim> &configuration) const
   {
-    const Configuration<dim> reference = rounded(widened(configuration));
-    const Scene<dim>         layout    = scene_at(reference);
+    const auto made_at = [&](const Configuration<dim> &reference) {
+      const Scene<dim>           layout = scene_at(reference);
+      const MeshDescription<dim> description =
+        mesh_on_all_ranks<dim>(layout, parameters.mesh, communicator);
 
-    const MeshDescription<dim> description =
-      mesh_on_all_ranks<dim>(layout, parameters.mesh, communicator);
+      Discretization<dim> result;
+      result.attempts = description.attempts;
+      result.mesh =
+        std::make_unique<MovingMesh<dim>>(communicator, layout, description);
+      result.mover = std::make_unique<MeshMover<dim>>(*result.mesh, reference);
+      result.mesh->set_positions(result.mover->positions(configuration));
+      result.initial_quality = result.mesh->quality();
+      return result;
+    };
 
-    Discretization<dim> result;
-    result.attempts = description.attempts;
-    result.mesh =
-      std::make_unique<MovingMesh<dim>>(communicator, layout, description);
-    result.mover = std::make_unique<MeshMover<dim>>(*result.mesh, reference);
-    result.mesh->set_positions(result.mover->positions(configuration));
-    result.initial_quality = result.mesh->quality();
+    Discretization<dim> result = made_at(rounded(widened(configuration)));
+    // large curved cells may not bear to be pressed
+    if (!(result.initial_quality > 0.))
+      {
+        const unsigned int failed = result.attempts;
+        result                    = made_at(rounded(configuration));
+        result.attempts += failed;
+      }
+    if (!(result.initial_quality > 0.))
+      throw MeshError("The new mesh is inverted.");
     return result;
   }
 

@@ -21,7 +21,7 @@ double
 distance_to_boundary(const Scene<dim> &scene, const MeshDescription<dim> &mesh)
 {
   double distance = 0.;
-  for (const auto &face : Tests::boundary_faces(mesh))
+  for (const auto &face : boundary_faces(mesh))
     for (const unsigned int v : face.vertices)
       {
         const Point<dim>  &p  = mesh.vertices[v];
@@ -49,11 +49,11 @@ mismatch(const Scene<dim> &scene, const MeshDescription<dim> &mesh)
 {
   double worst = 0.;
   for (const auto &identification : scene.identifications())
-    for (const auto &face : Tests::boundary_faces(mesh))
+    for (const auto &face : boundary_faces(mesh))
       if (face.boundary_id == identification.from)
         {
           double nearest = std::numeric_limits<double>::max();
-          for (const auto &other : Tests::boundary_faces(mesh))
+          for (const auto &other : boundary_faces(mesh))
             if (other.boundary_id == identification.to)
               for (const double move :
                    {0., identification.period, -identification.period})
@@ -112,14 +112,14 @@ check(Tests::Claims &claims, const std::string &name, const Scene<dim> &scene)
   for (const auto &face : triangulation.active_face_iterators())
     n_faces += face->at_boundary() ? 1 : 0;
   claims.holds(title + "all boundary faces have an id",
-               n_faces == Tests::boundary_faces(mesh).size());
+               n_faces == boundary_faces(mesh).size());
 
   std::set<types::boundary_id> expected, found;
   for (unsigned int i = 0; i < 2 * dim; ++i)
     expected.insert(i);
   for (unsigned int i = 0; i < scene.particles.size(); ++i)
     expected.insert(BoundaryIds::particle + i);
-  for (const auto &face : Tests::boundary_faces(mesh))
+  for (const auto &face : boundary_faces(mesh))
     found.insert(face.boundary_id);
   claims.holds(title + "planes and particles all appear", found == expected);
 

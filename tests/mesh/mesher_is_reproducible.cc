@@ -10,13 +10,12 @@ template <int dim>
 bool
 equal(const MeshDescription<dim> &a, const MeshDescription<dim> &b)
 {
-  bool same =
-    a.vertices == b.vertices && a.cells.size() == b.cells.size() &&
-    Tests::boundary_faces(a).size() == Tests::boundary_faces(b).size();
+  bool same = a.vertices == b.vertices && a.cells.size() == b.cells.size() &&
+              boundary_faces(a).size() == boundary_faces(b).size();
   for (unsigned int i = 0; same && i < a.cells.size(); ++i)
     same = a.cells[i].vertices == b.cells[i].vertices;
-  for (unsigned int i = 0; same && i < Tests::boundary_faces(a).size(); ++i)
-    same = Tests::boundary_faces(a)[i] == Tests::boundary_faces(b)[i];
+  for (unsigned int i = 0; same && i < boundary_faces(a).size(); ++i)
+    same = boundary_faces(a)[i] == boundary_faces(b)[i];
   return same;
 }
 

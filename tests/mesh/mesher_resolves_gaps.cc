@@ -40,7 +40,7 @@ equator_size(const Scene<dim> &scene, const MeshDescription<dim> &mesh)
 {
   double                                          length = 0.;
   std::set<std::pair<unsigned int, unsigned int>> edges;
-  for (const auto &face : Tests::boundary_faces(mesh))
+  for (const auto &face : boundary_faces(mesh))
     if (face.boundary_id == BoundaryIds::particle + 1)
       for (const unsigned int a : face.vertices)
         for (const unsigned int b : face.vertices)

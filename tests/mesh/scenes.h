@@ -2,6 +2,7 @@
 #define catena_tests_mesh_scenes_h
 
 #include <catena/base/types.h>
+#include <catena/mesh/boundary_snapper.h>
 #include <catena/mesh/mesher.h>
 #include <catena/mesh/quadratic_shape.h>
 #include <catena/scene/scene.h>
@@ -64,18 +65,6 @@ namespace Catena
       parameters.elements_on_equator = on_equator;
       parameters.elements_across_gap = across_gap;
       return parameters;
-    }
-
-
-
-    template <int dim>
-    const auto &
-    boundary_faces(const MeshDescription<dim> &mesh)
-    {
-      if constexpr (dim == 3)
-        return mesh.boundary.boundary_quads;
-      else
-        return mesh.boundary.boundary_lines;
     }
 
 

@@ -13,11 +13,11 @@
 namespace Catena
 {
   /// The faces of a mesh that have a boundary id.
-  template <int dim>
+  template <typename Mesh>
   auto &
-  boundary_faces(MeshDescription<dim> &mesh)
+  boundary_faces(Mesh &mesh)
   {
-    if constexpr (dim == 3)
+    if constexpr (Mesh::dimension == 3)
       return mesh.boundary.boundary_quads;
     else
       return mesh.boundary.boundary_lines;

@@ -54,11 +54,14 @@ namespace Catena
   template <int dim>
   struct MeshDescription
   {
+    static constexpr unsigned int dimension = dim;
+
     std::vector<dealii::Point<dim>>    vertices;
     std::vector<dealii::CellData<dim>> cells;
     dealii::SubCellData                boundary;
 
-    /// smallest radius ratio of all cells
+    /// smallest radius ratio of all cells, -1 if the curved faces of the
+    /// particles invert one
     double quality = 0.;
     /// how many meshes were made until one was accepted
     unsigned int attempts = 0;
@@ -74,10 +77,11 @@ namespace Catena
    * on particles lie on the spheres, no cell has two faces on a particle. Cells
    * are ordered along a Hilbert curve and vertices as the cells meet them.
    *
-   * A mesh with a cell below the minimal quality is made again: with all sizes
-   * times 0.97, 1.03 and 0.94, then with more optimisation (sizes times 1 and
-   * 0.91), then by another algorithm. The same input gives the same mesh, bit
-   * by bit, except for that last resort (`attempts` above 6).
+   * A mesh with a cell below the minimal quality, or inverted by the curved
+   * faces of a particle, is made again: with all sizes times 0.97, 1.03 and
+   * 0.94, then with more optimisation (sizes times 1 and 0.91), then by another
+   * algorithm. The same input gives the same mesh, bit by bit, except for that
+   * last resort (`attempts` above 6).
    *
    * Each attempt is made in a child process, which may crash or hang: it then
    * counts as failed, after the time limit at the latest.

@@ -102,6 +102,14 @@ namespace Catena
     Image<dim>         image;
     dealii::Point<dim> centre;
     double             radius;
+
+    /// The point of the surface on the ray from the centre through @p p.
+    dealii::Point<dim>
+    nearest(const dealii::Point<dim> &p) const
+    {
+      const dealii::Tensor<1, dim> r = p - centre;
+      return centre + radius / r.norm() * r;
+    }
   };
 
   /**

@@ -30,7 +30,11 @@ namespace Catena
      * With MeshParameters::gap_stretch > 1 it is made for particles moved apart
      * to where the narrowest gap is as many times wider (but no wider than what
      * the elements of the surfaces resolve anyway), and the mesh mover closes
-     * the gaps again: the elements in them are pressed flat.
+     * the gaps again: the elements in them are pressed flat. Where that inverts
+     * one, as can happen if elements are as large as gaps, the mesh is made for
+     * the particles where they are.
+     *
+     * @throws MeshError if the mesher fails or that mesh is inverted too
      */
     Discretization<dim>
     make(const Configuration<dim> &configuration) const;
