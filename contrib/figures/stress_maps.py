@@ -1,19 +1,17 @@
 """tr(tau)/G on the plane z = 0, from the fields of a run in a quarter of the
 box."""
 
-import base64
 import xml.etree.ElementTree as xml
-import zlib
 
 import matplotlib.pyplot as plt
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TETRA
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 from style import number
 
-TYPES = {"Float32": np.float32, "Float64": np.float64, "Int32": np.int32,
-         "Int64": np.int64, "UInt8": np.uint8}
 FIELD = "trace_tau_over_G"
-QUADRATIC_TETRAHEDRON = 24
 # Corners, then the middles of the edges between them, as VTK has them
 FACES = np.array([[0, 1, 2, 4, 5, 6], [0, 1, 3, 4, 8, 7],
                   [1, 2, 3, 5, 9, 8], [0, 2, 3, 6, 9, 7]])
@@ -21,45 +19,28 @@ FACES = np.array([[0, 1, 2, 4, 5, 6], [0, 1, 3, 4, 8, 7],
 FLAT = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]])
 
 
-def array(element):
-    """Values of a DataArray: a header with the number of blocks, the size of a
-    block and of the last one, and the compressed sizes; then the blocks."""
-    text = element.text.strip()
-    n_blocks = int(np.frombuffer(base64.b64decode(text[:8])[:4], "<u4")[0])
-    # base64 has four characters for three bytes
-    length = -(-4 * (3 + n_blocks) // 3) * 4
-    sizes = np.frombuffer(base64.b64decode(text[:length]), "<u4")[3:3 + n_blocks]
-    body, begin, blocks = base64.b64decode(text[length:]), 0, []
-    for size in sizes:
-        blocks.append(zlib.decompress(body[begin:begin + size]))
-        begin += size
-    values = np.frombuffer(b"".join(blocks), TYPES[element.get("type")])
-    n = int(element.get("NumberOfComponents", 1))
-    return values.reshape(-1, n) if n > 1 else values
-
-
 def plane(path):
     """Points, triangles and values on z = 0. The symmetry plane is made of faces
     of the mesh, so that nothing is cut."""
-    points, triangles, values = [], [], []
-    n = 0
-    for piece in xml.parse(path).getroot().iter("Piece"):
-        by_name = {e.get("Name"): e for e in piece.iter("DataArray")}
-        if FIELD not in by_name:
-            raise SystemExit(f"{path} has no {FIELD}: the fluid is not "
-                             "viscoelastic")
-        if np.any(array(by_name["types"]) != QUADRATIC_TETRAHEDRON):
-            raise SystemExit(f"{path} is not made of quadratic tetrahedra")
-        place = array(piece.find("Points/DataArray"))
-        cells = array(by_name["connectivity"]).reshape(-1, 10)
-        faces = cells[:, FACES].reshape(-1, 6)
-        faces = faces[np.all(np.abs(place[faces, 2]) < 1e-5, axis=1)]
-        used, faces = np.unique(faces, return_inverse=True)
-        triangles.append(n + faces.reshape(-1, 6)[:, FLAT].reshape(-1, 3))
-        points.append(place[used, :2])
-        values.append(array(by_name[FIELD])[used])
-        n += len(used)
-    return map(np.concatenate, (points, triangles, values))
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    grid = reader.GetOutput()
+    if grid.GetNumberOfCells() == 0:
+        raise SystemExit(f"{path} has no fields that can be read")
+    if not grid.GetPointData().HasArray(FIELD):
+        raise SystemExit(f"{path} has no {FIELD}: the fluid is not "
+                         "viscoelastic")
+    if not grid.IsHomogeneous() or grid.GetCellType(0) != VTK_QUADRATIC_TETRA:
+        raise SystemExit(f"{path} is not made of quadratic tetrahedra")
+    points = vtk_to_numpy(grid.GetPoints().GetData())
+    values = vtk_to_numpy(grid.GetPointData().GetArray(FIELD))
+    cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+    faces = cells.reshape(-1, 10)[:, FACES].reshape(-1, 6)
+    faces = faces[np.all(np.abs(points[faces, 2]) < 1e-5, axis=1)]
+    used, faces = np.unique(faces, return_inverse=True)
+    triangles = faces.reshape(-1, 6)[:, FLAT].reshape(-1, 3)
+    return points[used, :2], triangles, values[used]
 
 
 def fields(run):
@@ -128,6 +109,7 @@ def draw(maps, half_size, largest_shown, n_columns):
         axis.set_ylabel("$y/a$")
     for axis in axes.flat[len(maps):]:
         axis.remove()
-    figure.colorbar(drawn, ax=list(axes.flat[:len(maps)]), location="bottom", aspect=50, shrink=0.6,
-                    label=r"$\mathrm{tr}(\tau)/G$", extend="max")
+    figure.colorbar(drawn, ax=list(axes.flat[:len(maps)]), location="bottom",
+                    aspect=50, shrink=0.6, label=r"$\mathrm{tr}(\tau)/G$",
+                    extend="max")
     return figure, rows
