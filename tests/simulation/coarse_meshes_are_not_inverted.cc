@@ -2,8 +2,6 @@
 // pressed in: a new mesh has a positive Jacobian everywhere, with straight
 // cells that would fit and curved ones that would not.
 
-#include <catena/simulation/remesher.h>
-
 #include <deal.II/base/quadrature_lib.h>
 
 #include <deal.II/fe/fe_simplex_p.h>
@@ -11,7 +9,7 @@
 
 #include "../tests.h"
 
-#include "../mesh/scenes.h"
+#include "../verification/spheres_in_a_line.h"
 
 using namespace dealii;
 using namespace Catena;
@@ -43,28 +41,6 @@ smallest_jacobian(const MovingMesh<3> &mesh)
   return smallest;
 }
 
-Scene<3>
-line_of_particles(const unsigned int n,
-                  const Symmetry     symmetry,
-                  const double       distance,
-                  const double       degrees)
-{
-  const Point<3> outer =
-    Tests::polar<3>(n == 2 ? distance / 2. : distance, degrees);
-  Scene<3> scene;
-  scene.length   = 16.;
-  scene.height   = 8.;
-  scene.width    = 6.;
-  scene.symmetry = symmetry;
-  scene.particles.push_back({outer});
-  if (symmetry != Symmetry::quarter)
-    scene.particles.push_back({-outer});
-  if (n == 3)
-    scene.particles.push_back({Point<3>(), 1., symmetry == Symmetry::quarter});
-  scene.check();
-  return scene;
-}
-
 int
 main(int argc, char **argv)
 {
@@ -81,7 +57,8 @@ main(int argc, char **argv)
           for (const double degrees : {10., 30.})
             {
               const Scene<3> scene =
-                line_of_particles(n, symmetry, distance, degrees);
+                Tests::Line{n, distance, degrees, 0.25, symmetry}.scene();
+              scene.check();
               Configuration<3> configuration;
               for (const auto &particle : scene.particles)
                 configuration.centres.push_back(particle.centre);
