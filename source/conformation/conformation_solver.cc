@@ -98,6 +98,30 @@ namespace Catena
         group->components.push_back(k);
         group->rhs.emplace_back(mesh->owned_scalars(), mesh->communicator());
       }
+    find_offsets();
+  }
+
+
+
+  template <int dim>
+  void
+  ConformationSolver<dim>::find_offsets()
+  {
+    const CsrAccess &access = groups.front()->access;
+    offsets.assign(mesh->cells().size(), Offsets());
+    for (unsigned int c = 0; c < offsets.size(); ++c)
+      {
+        const auto &vertices = mesh->cells()[c].vertices;
+        for (unsigned int v = 0; v < vertices.size(); ++v)
+          {
+            const int row = access.row(identification.master(vertices[v]));
+            if (row == CsrAccess::absent)
+              continue;
+            for (unsigned int u = 0; u < vertices.size(); ++u)
+              offsets[c][v][u] = access.offset(
+                row, access.column(identification.master(vertices[u])));
+          }
+      }
   }
 
 
@@ -126,9 +150,10 @@ namespace Catena
     CellValues<dim>                         values;
     std::vector<SymmetricTensor<2, dim>>    extrapolated;
     std::vector<SpectralDecomposition<dim>> spectra;
-    for (const auto &cell : mesh->cells())
+    for (unsigned int c = 0; c < mesh->cells().size(); ++c)
       {
-        const auto positions = mesh->cell_positions(cell, mesh->positions());
+        const auto &cell      = mesh->cells()[c];
+        const auto  positions = mesh->cell_positions(cell, mesh->positions());
         values.reinit(positions, cell.curved);
         const unsigned int n_points = values.points().size();
         const auto         s        = vertex_tensors<dim>(cell, old);
@@ -206,15 +231,10 @@ namespace Catena
               for (unsigned int k = 0; k < group->components.size(); ++k)
                 group->rhs[k](master) +=
                   factor * rhs[v].access_raw_entry(group->components[k]);
+              double *const entries = group->access.values(row);
               for (unsigned int u = 0; u < n_vertices; ++u)
-                {
-                  const unsigned int j = cell.vertices[u];
-                  if (group->factors[j] != 0)
-                    group->access.add(
-                      row,
-                      group->access.column(identification.master(j)),
-                      factor * group->factors[j] * matrix[v][u]);
-                }
+                entries[offsets[c][v][u]] +=
+                  factor * group->factors[cell.vertices[u]] * matrix[v][u];
             }
       }
 

@@ -1,7 +1,8 @@
 #include <catena/flow/block_product.h>
 
-#include <algorithm>
-#include <cstring>
+#include <array>
+
+#include <experimental/simd>
 
 namespace Catena
 {
@@ -9,36 +10,45 @@ namespace Catena
 
   namespace
   {
-    constexpr unsigned int width = 8;
-    using Singles = float __attribute__((vector_size(4 * width)));
-    using Doubles = double __attribute__((vector_size(8 * width)));
+    namespace simd = std::experimental;
 
-    template <typename Values, typename Number>
-    inline Values
-    at(const Number *p)
+    /// A column of a block in double precision, and what comes after it.
+    constexpr unsigned int width = 4;
+    using Doubles = simd::simd<double, simd::simd_abi::deduce_t<double, width>>;
+
+
+
+    /// Row by row, the product of the blocks of a node with @p x.
+    template <int n_rows, int n_columns>
+    inline std::array<double, n_rows>
+    node_product(const float        *entries,
+                 const unsigned int *column,
+                 const unsigned int *end,
+                 const double       *x)
     {
-      Values values;
-      std::memcpy(&values, p, sizeof(Values));
-      return values;
-    }
-
-
-
-    /// The sum of the products of @p n numbers, several at a time.
-    inline double
-    dot(const float *a, const double *x, const unsigned int n)
-    {
-      Doubles      sums = {};
-      unsigned int k    = 0;
-      for (; k + width <= n; k += width)
-        sums += __builtin_convertvector(at<Singles>(a + k), Doubles) *
-                at<Doubles>(x + k);
-      double sum = 0.;
-      for (unsigned int i = 0; i < width; ++i)
-        sum += sums[i];
-      for (; k < n; ++k)
-        sum += a[k] * x[k];
-      return sum;
+      std::array<double, n_rows> product = {};
+      if constexpr (n_rows == 1)
+        {
+          std::array<double, n_columns> sums = {};
+          for (; column != end; ++column, entries += n_columns)
+            for (unsigned int c = 0; c < n_columns; ++c)
+              sums[c] += entries[c] * x[*column + c];
+          for (unsigned int c = 0; c < n_columns; ++c)
+            product[0] += sums[c];
+        }
+      else
+        {
+          std::array<Doubles, n_columns> sums = {};
+          for (; column != end; ++column)
+            for (unsigned int c = 0; c < n_columns; ++c, entries += n_rows)
+              sums[c] +=
+                Doubles(entries, simd::element_aligned) * x[*column + c];
+          for (unsigned int c = 1; c < n_columns; ++c)
+            sums[0] += sums[c];
+          for (unsigned int r = 0; r < n_rows; ++r)
+            product[r] = sums[0][r];
+        }
+      return product;
     }
   } // namespace
 
@@ -54,7 +64,8 @@ namespace Catena
     const int error = epetra.ExtractCrsDataPointers(starts, indices, values);
     AssertThrow(error == 0, ExcInternalError());
     exact_entries = values;
-    entries.resize(epetra.NumMyNonzeros());
+    // the last column is read with numbers beyond
+    entries.resize(epetra.NumMyNonzeros() + width);
 
     const IndexSet owned = matrix.locally_owned_domain_indices();
     IndexSet       ghosts(owned.size());
@@ -67,7 +78,6 @@ namespace Catena
     for (unsigned int k = 0; k < places.size(); ++k)
       places[k] =
         ghosted_src.get_partitioner()->global_to_local(epetra.ColMap().GID(k));
-    int longest = 0;
     for (int row = 0; row < epetra.NumMyRows(); row += n_rows)
       {
         Assert(starts[row + n_rows] - starts[row] ==
@@ -76,9 +86,7 @@ namespace Catena
         for (int k = starts[row]; k < starts[row + 1]; k += n_columns)
           columns.push_back(places[indices[k]]);
         row_starts.push_back(columns.size());
-        longest = std::max(longest, starts[row + 1] - starts[row]);
       }
-    row_values.resize(longest);
   }
 
 
@@ -87,7 +95,17 @@ namespace Catena
   void
   BlockProduct<n_rows, n_columns>::update()
   {
-    std::copy(exact_entries, exact_entries + entries.size(), entries.begin());
+    const double *exact = exact_entries;
+    float        *next  = entries.data();
+    for (unsigned int node = 0; node + 1 < row_starts.size(); ++node)
+      {
+        const unsigned int length =
+          n_columns * (row_starts[node + 1] - row_starts[node]);
+        for (unsigned int k = 0; k < length; ++k)
+          for (unsigned int r = 0; r < n_rows; ++r)
+            *next++ = exact[r * length + k];
+        exact += n_rows * length;
+      }
   }
 
 
@@ -112,23 +130,19 @@ namespace Catena
   BlockProduct<n_rows, n_columns>::multiply(VectorType       &dst,
                                             const VectorType &src) const
   {
-    const double *const x      = column_values(src);
-    const float        *values = entries.data();
-    double             *y      = dst.begin();
+    const double *const x = column_values(src);
+    double             *y = dst.begin();
     for (unsigned int node = 0; node + 1 < row_starts.size(); ++node)
       {
-        // the values that belong to a row, one after the other
-        double *next = row_values.data();
-        for (unsigned int k = row_starts[node]; k < row_starts[node + 1]; ++k)
-          for (unsigned int c = 0; c < n_columns; ++c)
-            *next++ = x[columns[k] + c];
-        const unsigned int length = next - row_values.data();
-
-        for (unsigned int r = 0; r < n_rows; ++r, ++y, values += length)
-          {
-            const double sum = dot(values, row_values.data(), length);
-            *y               = add ? *y + sum : sum;
-          }
+        const std::size_t begin = row_starts[node], end = row_starts[node + 1];
+        const auto        product =
+          node_product<n_rows, n_columns>(entries.data() +
+                                            n_rows * n_columns * begin,
+                                          columns.data() + begin,
+                                          columns.data() + end,
+                                          x);
+        for (unsigned int r = 0; r < n_rows; ++r, ++y)
+          *y = add ? *y + product[r] : product[r];
       }
   }
 

@@ -12,6 +12,7 @@
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -111,6 +112,16 @@ namespace Catena
     const MovingMesh<dim>              *mesh = nullptr;
     std::vector<std::unique_ptr<Group>> groups;
     TensorIdentification<dim>           identification;
+
+    /// Where in their rows the entries of a cell's pairs of vertices are
+    /// stored, in the matrix of any group.
+    using Offsets = std::array<std::array<unsigned short, n_linear_nodes(dim)>,
+                               n_linear_nodes(dim)>;
+    /// by cell of the mesh
+    std::vector<Offsets> offsets;
+
+    void
+    find_offsets();
 
     void
     assemble(const std::vector<VectorType> &old,

@@ -42,14 +42,14 @@ namespace Catena
 
   private:
     /// where Trilinos keeps the entries
-    const double      *exact_entries = nullptr;
+    const double *exact_entries = nullptr;
+    /// by block, column by column
     std::vector<float> entries;
     /// by node, the range of its blocks; by block, where its column starts
     std::vector<unsigned int> row_starts = {0}, columns;
 
     /// has the ghosts of the columns
-    mutable VectorType          ghosted_src;
-    mutable std::vector<double> row_values;
+    mutable VectorType ghosted_src;
 
     const double *
     column_values(const VectorType &src) const;
