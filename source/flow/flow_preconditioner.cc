@@ -16,6 +16,8 @@ namespace Catena
     {
       return n_rigid <= 12 ? 2 : 1;
     }
+
+    constexpr unsigned int strong_iterations = 5;
   } // namespace
 
 
@@ -39,6 +41,7 @@ namespace Catena
     const FlowMatrices<dim>              &new_matrices)
   {
     matrices = &new_matrices;
+    strong   = false;
 
     multigrid = VelocityMultigrid<dim>(mesh, couplings, new_matrices);
     velocity_src.reinit(matrices->velocity_rhs);
@@ -47,6 +50,22 @@ namespace Catena
 
     initialize_mass();
     initialize_rigid();
+  }
+
+
+
+  template <int dim>
+  void
+  FlowPreconditioner<dim>::solve_velocity(VectorType        &dst,
+                                          const VectorType  &src,
+                                          const unsigned int steps) const
+  {
+    dst = 0.;
+    IterationNumberControl control(steps, 1e-12);
+    SolverGMRES<VectorType>(control).solve(matrices->velocity_product,
+                                           dst,
+                                           src,
+                                           multigrid);
   }
 
 
@@ -91,12 +110,7 @@ namespace Catena
         column  = 0.;
         matrices->velocity_rigid_product.vmult_add(column, unit);
 
-        response = 0.;
-        IterationNumberControl control(response_iterations(n), 1e-12);
-        SolverGMRES<VectorType>(control).solve(matrices->velocity_product,
-                                               response,
-                                               column,
-                                               multigrid);
+        solve_velocity(response, column, response_iterations(n));
         rigid_responses.push_back(response);
         std::vector<double> reaction(n);
         matrices->rigid_velocity_product.Tvmult_add(reaction, response);
@@ -146,7 +160,10 @@ namespace Catena
     velocity_src *= -1.;
     matrices->gradient_product.vmult_add(velocity_src, dst.block(1));
     velocity_src *= -1.;
-    multigrid.vmult(dst.block(0), velocity_src);
+    if (strong)
+      solve_velocity(dst.block(0), velocity_src, strong_iterations);
+    else
+      multigrid.vmult(dst.block(0), velocity_src);
 
     const unsigned int n = matrices->n_rigid();
     if (n == 0)

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <utility>
 
 namespace Catena
@@ -319,42 +320,58 @@ namespace Catena
         forces.push_back(fields.contact_forces[c]);
     BlockVectorType rhs   = unknowns().right_hand_side(blocks, external_forces);
     const auto      guess = unknowns().first_guess(fields, forces);
-    BlockVectorType solution = guess;
-    unsigned int    iterations;
-    try
-      {
-        iterations = iterate(solution, rhs, blocks);
-      }
-    catch (const SolverControl::NoConvergence &failure)
-      {
-        const auto report = [&](const SolverControl::NoConvergence &e) {
+    BlockVectorType solution;
+    unsigned int    iterations = 0;
+    for (bool solved = false; !solved;)
+      try
+        {
+          solution   = guess;
+          iterations = iterate(solution, rhs, blocks);
+          solved     = true;
+        }
+      catch (const SolverControl::NoConvergence &failure)
+        {
+          if (improve_preconditioner())
+            continue;
           std::ostringstream text;
-          text << "The flow solver reached a residual of " << e.last_residual
-               << " in " << e.last_step << " iterations, " << target(rhs)
+          text << "The flow solver reached a residual of "
+               << failure.last_residual << " in " << failure.last_step
+               << " iterations, " << target(rhs)
                << " was asked for: raise 'Flow solver/Maximal iterations' or "
                   "use a smaller time step.";
-          return SolverError(text.str());
-        };
-        if (preconditioner_is_fresh)
-          throw report(failure);
-        ++stalled_solves;
-        preconditioner_is_due = true;
-        assemble_matrices();
-        solution = guess;
-        try
-          {
-            iterations = iterate(solution, rhs, blocks);
-          }
-        catch (const SolverControl::NoConvergence &second_failure)
-          {
-            throw report(second_failure);
-          }
-      }
+          throw SolverError(text.str());
+        }
     if (!std::isfinite(solution.l2_norm()))
       throw SolverError("The flow solver gave values that are not finite.");
 
     unknowns().extract(solution, set, fields);
     return iterations;
+  }
+
+
+
+  /**
+   * After a solve that stalled: a fresh preconditioner, then a stronger one.
+   * @return whether there was a better one
+   */
+  template <int dim>
+  bool
+  FlowSolver<dim>::improve_preconditioner()
+  {
+    if (!preconditioner_is_fresh)
+      {
+        ++repeated.with_fresh_preconditioner;
+        preconditioner_is_due = true;
+        assemble_matrices();
+        return true;
+      }
+    if (!preconditioner.is_strong())
+      {
+        ++repeated.with_stronger_preconditioner;
+        preconditioner.strengthen();
+        return true;
+      }
+    return false;
   }
 
 
@@ -375,7 +392,8 @@ namespace Catena
         best_rate = std::min(best_rate, iterations / decades);
         iterations_lost += iterations - best_rate * decades;
       }
-    preconditioner_is_due = iterations_lost > preconditioner.set_up_cost();
+    preconditioner_is_due = preconditioner.is_strong() ||
+                            iterations_lost > preconditioner.set_up_cost();
   }
 
 

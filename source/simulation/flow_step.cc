@@ -107,18 +107,38 @@ namespace Catena
                        const std::vector<double> &external_forces,
                        const Contacts<dim>       &contacts)
   {
-    const auto         candidates = contacts.candidates(next.configuration);
-    const unsigned int n_stalled  = flow_solver.n_stalled_solves();
-    next.flow.contact_forces      = contacts.remembered_forces(candidates);
+    const auto candidates    = contacts.candidates(next.configuration);
+    next.flow.contact_forces = contacts.remembered_forces(candidates);
     const unsigned int iterations =
       nonlinear_solver ?
         solve_nonlinear(next, candidates, external_forces) :
         solve_linear(
           next, step, now, before, mesh_velocity, candidates, external_forces);
-    if (flow_solver.n_stalled_solves() > n_stalled)
-      run_report.count("solves repeated with a fresh preconditioner",
-                       flow_solver.n_stalled_solves() - n_stalled);
+    count_repeated_solves();
     return iterations;
+  }
+
+
+
+  /// Those not counted yet; some may be of a solve that failed in the end.
+  template <int dim>
+  void
+  FlowStep<dim>::count_repeated_solves()
+  {
+    const auto repeated = flow_solver.repeated_solves();
+    const auto count    = [&](const std::string &name,
+                           const unsigned int now,
+                           const unsigned int before) {
+      if (now > before)
+        run_report.count(name, now - before);
+    };
+    count("solves repeated with a fresh preconditioner",
+          repeated.with_fresh_preconditioner,
+          counted.with_fresh_preconditioner);
+    count("solves repeated with a stronger preconditioner",
+          repeated.with_stronger_preconditioner,
+          counted.with_stronger_preconditioner);
+    counted = repeated;
   }
 
 

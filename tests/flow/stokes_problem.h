@@ -37,10 +37,11 @@ namespace Catena
       /// On a given mesh.
       StokesProblem(const Scene<dim>           &scene,
                     const MeshDescription<dim> &description,
-                    const double                tolerance = 1e-10)
+                    const double                tolerance      = 1e-10,
+                    const unsigned int          max_iterations = 300)
         : mesh(MPI_COMM_WORLD, scene, description)
         , bodies(scene)
-        , solver(controls(tolerance))
+        , solver(controls(tolerance, max_iterations))
       {
         scene.check();
         for (const auto &particle : scene.particles)
@@ -101,10 +102,11 @@ namespace Catena
 
     private:
       static FlowSolverParameters
-      controls(const double tolerance)
+      controls(const double tolerance, const unsigned int max_iterations)
       {
         FlowSolverParameters parameters;
-        parameters.tolerance = tolerance;
+        parameters.tolerance      = tolerance;
+        parameters.max_iterations = max_iterations;
         return parameters;
       }
     };

@@ -228,6 +228,8 @@ namespace
                   1e-9);
       return simulation.report().counter(
                "solves repeated with a fresh preconditioner") +
+             simulation.report().counter(
+               "solves repeated with a stronger preconditioner") +
              simulation.report().counter(failed_solver);
     };
     unsigned int most = 0;

@@ -25,7 +25,9 @@ namespace Catena
    * VelocityMultigrid on the scalar operator of the velocity components, which
    * includes the tensor viscosity; the rigid-body unknowns, whose rows are too
    * dense for multigrid, and the contact forces are eliminated by their small
-   * Schur complement.
+   * Schur complement. A strengthened one takes some steps of GMRES on A
+   * instead, each with that cycle, where the components are coupled too much
+   * for it.
    *
    * The matrices are copied where they change from step to step: it can be
    * kept for many steps.
@@ -34,7 +36,7 @@ namespace Catena
   class FlowPreconditioner
   {
   public:
-    /// Set up from newly assembled matrices.
+    /// Set up from newly assembled matrices, not strengthened.
     void
     initialize(const MovingMesh<dim>                &mesh,
                const std::vector<NodeCoupling<dim>> &couplings,
@@ -43,6 +45,19 @@ namespace Catena
     /// Take over the contacts; cheap.
     void
     set_contacts(const ContactBlocks &contacts);
+
+    /// Nearer to the inverse until initialize(), several times dearer.
+    void
+    strengthen()
+    {
+      strong = true;
+    }
+
+    bool
+    is_strong() const
+    {
+      return strong;
+    }
 
     void
     vmult(BlockVectorType &dst, const BlockVectorType &src) const;
@@ -67,12 +82,19 @@ namespace Catena
     const FlowMatrices<dim> *matrices = nullptr;
     VelocityMultigrid<dim>   multigrid;
     MassInverse              mass_inverse;
+    bool                     strong = false;
 
     /// A^-1 C, approximately, and the Schur complement S - R A^-1 C
     std::vector<VectorType>    rigid_responses;
     dealii::FullMatrix<double> rigid_schur, small_inverse;
 
     mutable VectorType velocity_src, pressure_dst, pressure_src;
+
+    /// dst = A^-1 src, approximately
+    void
+    solve_velocity(VectorType        &dst,
+                   const VectorType  &src,
+                   const unsigned int steps) const;
 
     void
     initialize_mass();

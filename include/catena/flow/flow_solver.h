@@ -106,8 +106,8 @@ namespace Catena
      * may be zero
      * @param external_forces on the whole particles, by rigid-body unknown
      * @return number of iterations
-     * @throws SolverError if it fails also with a fresh preconditioner, or if
-     * the repelling contacts are not found
+     * @throws SolverError if it fails also with a fresh preconditioner and a
+     * stronger one, or if the repelling contacts are not found
      */
     unsigned int
     solve(FlowFields<dim>                 &fields,
@@ -140,14 +140,19 @@ namespace Catena
       return preconditioner_is_fresh;
     }
 
-    /**
-     * How often a solve has stalled with a preconditioner from before, and was
-     * repeated with a fresh one.
-     */
-    unsigned int
-    n_stalled_solves() const
+    /// How often a solve has stalled, and what was done about it.
+    struct RepeatedSolves
     {
-      return stalled_solves;
+      /// it had a preconditioner from before, and then a fresh one
+      unsigned int with_fresh_preconditioner = 0;
+      /// it had a fresh preconditioner, and then a stronger one
+      unsigned int with_stronger_preconditioner = 0;
+    };
+
+    const RepeatedSolves &
+    repeated_solves() const
+    {
+      return repeated;
     }
 
     /**
@@ -194,9 +199,9 @@ namespace Catena
     EarlierSolutions<dim>              earlier_solutions;
     bool preconditioner_is_due = true, preconditioner_is_fresh = false;
     /// iterations for a decade of the residual; their excess over the best
-    double       best_rate = 0., iterations_lost = 0.;
-    double       wanted_residual = 0., decades = 0.;
-    unsigned int stalled_solves = 0;
+    double         best_rate = 0., iterations_lost = 0.;
+    double         wanted_residual = 0., decades = 0.;
+    RepeatedSolves repeated;
 
     void
     set_configuration(const Configuration<dim> &configuration);
@@ -220,6 +225,9 @@ namespace Catena
     iterate(BlockVectorType       &solution,
             const BlockVectorType &rhs,
             const ContactBlocks   &contacts);
+
+    bool
+    improve_preconditioner();
 
     void
     judge_preconditioner(const unsigned int iterations);

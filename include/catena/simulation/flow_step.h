@@ -90,6 +90,7 @@ namespace Catena
     MovingMesh<dim>                          *mesh   = nullptr;
     const RigidBodies<dim>                   *bodies = nullptr;
     FlowSolver<dim>                           flow_solver;
+    typename FlowSolver<dim>::RepeatedSolves  counted;
     std::unique_ptr<NonlinearFlowSolver<dim>> nonlinear_solver;
 
     /// Of this one the preconditioner was made.
@@ -136,6 +137,9 @@ namespace Catena
                  const VectorType                &mesh_velocity,
                  const std::vector<Contact<dim>> &candidates,
                  const std::vector<double>       &external_forces);
+
+    void
+    count_repeated_solves();
 
     void
     find_reactions(Level<dim> &level, const StressModel<dim> &stress) const;

@@ -85,7 +85,8 @@ namespace Catena
     /**
      * One time step. What can be done about a failure is tried in this order:
      *
-     * - a linear solver stalls: again with a fresh preconditioner;
+     * - a linear solver stalls: again with a fresh preconditioner, then with a
+     *   stronger one;
      * - a new mesh is needed, and there is none: go on with the old one for a
      *   while if it is still good enough;
      * - a solver fails, a value is not finite or the error is too large, or
