@@ -18,8 +18,6 @@ namespace Catena
      * below that it is noise, and the step would be large.
      */
     constexpr double smallest_share = 1e-3;
-
-    constexpr unsigned int n_blocks_without_contacts = 3;
   } // namespace
 
 
@@ -51,12 +49,7 @@ namespace Catena
       solutions.pop_front();
     if (solutions.size() == n_solutions)
       solutions.pop_back();
-    BlockVectorType copy(
-      std::min(solution.n_blocks(), n_blocks_without_contacts));
-    for (unsigned int b = 0; b < copy.n_blocks(); ++b)
-      copy.block(b) = solution.block(b);
-    copy.collect_sizes();
-    solutions.push_front(std::move(copy));
+    solutions.push_front(solution);
     newest_is_of_this_instant = true;
   }
 
@@ -82,11 +75,14 @@ namespace Catena
       {
         BlockVectorType direction(guess), image(guess);
         direction = 0.;
-        for (unsigned int b = 0; b < solution.n_blocks(); ++b)
-          {
-            direction.block(b) = solution.block(b);
-            direction.block(b) -= first_guess.block(b);
-          }
+        for (unsigned int b = 0;
+             b < std::min(solution.n_blocks(), guess.n_blocks());
+             ++b)
+          if (solution.block(b).size() == guess.block(b).size())
+            {
+              direction.block(b) = solution.block(b);
+              direction.block(b) -= first_guess.block(b);
+            }
         system.vmult(image, direction);
         for (unsigned int i = 0; i < images.size(); ++i)
           {
@@ -112,30 +108,38 @@ namespace Catena
 
   template <int dim>
   void
-  EarlierSolutions<dim>::archive(FieldArchive<dim>     &archive,
-                                 const BlockVectorType &layout)
+  EarlierSolutions<dim>::archive(FieldArchive<dim> &archive,
+                                 const MakeVector  &make_vector)
   {
     std::uint32_t n = solutions.size();
     archive(n, newest_is_of_this_instant);
     if (n > n_solutions)
       throw CheckpointError("it has " + std::to_string(n) +
                             " earlier solutions");
-    if (archive.is_loading())
-      solutions.assign(n, layout);
+    solutions.resize(n);
     for (BlockVectorType &solution : solutions)
       {
+        std::vector<double> motions, forces;
+        if (solution.n_blocks() > 2)
+          motions = replicate(solution.block(2));
+        if (solution.n_blocks() > 3)
+          forces = replicate(solution.block(3));
+        archive(motions, forces);
+        if (archive.is_loading())
+          {
+            solution = make_vector(forces.size());
+            if (motions.size() !=
+                (solution.n_blocks() > 2 ? solution.block(2).size() : 0))
+              throw CheckpointError("it has a solution with " +
+                                    std::to_string(motions.size()) +
+                                    " motions of particles");
+            if (solution.n_blocks() > 2)
+              set_replicated(solution.block(2), motions);
+            if (solution.n_blocks() > 3)
+              set_replicated(solution.block(3), forces);
+          }
         archive.vector(solution.block(0));
         archive.scalar(solution.block(1));
-        if (solution.n_blocks() < n_blocks_without_contacts)
-          continue;
-        VectorType         &rigid  = solution.block(2);
-        std::vector<double> values = replicate(rigid);
-        archive(values);
-        if (values.size() != rigid.size())
-          throw CheckpointError("it has a solution with " +
-                                std::to_string(values.size()) +
-                                " motions of particles");
-        set_replicated(rigid, values);
       }
   }
 

@@ -416,7 +416,9 @@ namespace Catena
       Utilities::MPI::n_mpi_processes(mesh->communicator());
     unsigned int n_ranks = here;
     archive(preconditioner_is_due, best_rate, iterations_lost, n_ranks);
-    earlier_solutions.archive(archive, unknowns().make_vector(0));
+    earlier_solutions.archive(archive, [&](const unsigned int n_contacts) {
+      return unknowns().make_vector(n_contacts);
+    });
     // of identified nodes other ones carry the unknowns on other ranks
     if (n_ranks != here)
       earlier_solutions.clear();

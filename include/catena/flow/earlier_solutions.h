@@ -6,6 +6,7 @@
 #include <catena/mesh/field_archive.h>
 
 #include <deque>
+#include <functional>
 
 namespace Catena
 {
@@ -18,7 +19,8 @@ namespace Catena
    * it becomes the one with the smallest residual |b - A x|. That is at least
    * as good as every extrapolation in time through these solutions, but for
    * directions that would change the residual by less than a thousandth of it,
-   * and costs one product with A for each.
+   * and costs one product with A for each. Contact forces take part where there
+   * are as many contacts as there were.
    */
   template <int dim>
   class EarlierSolutions
@@ -36,21 +38,20 @@ namespace Catena
     void
     remember(const BlockVectorType &solution);
 
-    /// Contact forces stay those of @p guess.
     void
     improve(const FlowOperator<dim> &system,
             const BlockVectorType   &rhs,
             BlockVectorType         &guess) const;
 
-    /**
-     * Save or load them.
-     * @param layout a vector with the blocks of a solution without contacts
-     */
+    /// Makes a vector with the blocks of a solution with that many contacts.
+    using MakeVector = std::function<BlockVectorType(const unsigned int)>;
+
+    /// Save or load them.
     void
-    archive(FieldArchive<dim> &archive, const BlockVectorType &layout);
+    archive(FieldArchive<dim> &archive, const MakeVector &make_vector);
 
   private:
-    /// newest first; velocity, pressure and rigid-body motions
+    /// newest first; velocity, pressure, rigid-body motions, contact forces
     std::deque<BlockVectorType> solutions;
     bool                        newest_is_of_this_instant = false;
   };
