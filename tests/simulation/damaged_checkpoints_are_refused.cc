@@ -167,7 +167,8 @@ namespace
                  says(refusal([]() {
                         CheckedFile::read("other", Checkpoint::version);
                       }),
-                      {"version 2", "reads 1"}));
+                      {"version " + std::to_string(Checkpoint::version + 1),
+                       "reads " + std::to_string(Checkpoint::version)}));
     claims.holds("a folder is refused",
                  says(refusal([]() {
                         CheckedFile::read(folder, Checkpoint::version);
