@@ -127,12 +127,16 @@ namespace Catena
         archive(motions, forces);
         if (archive.is_loading())
           {
+            const BlockVectorType layout = make_vector(0);
+            const std::size_t     n_motions =
+              layout.n_blocks() > 2 ? layout.block(2).size() : 0;
+            if (motions.size() != n_motions ||
+                (n_motions == 0 && !forces.empty()))
+              throw CheckpointError(
+                "it has a solution with " + std::to_string(motions.size()) +
+                " motions of particles and " + std::to_string(forces.size()) +
+                " contact forces");
             solution = make_vector(forces.size());
-            if (motions.size() !=
-                (solution.n_blocks() > 2 ? solution.block(2).size() : 0))
-              throw CheckpointError("it has a solution with " +
-                                    std::to_string(motions.size()) +
-                                    " motions of particles");
             if (solution.n_blocks() > 2)
               set_replicated(solution.block(2), motions);
             if (solution.n_blocks() > 3)

@@ -369,6 +369,8 @@ namespace Catena
       {
         ++repeated.with_stronger_preconditioner;
         preconditioner.strengthen();
+        // for this instant only: checkpoints know of usual ones
+        preconditioner_is_due = true;
         return true;
       }
     return false;
