@@ -12,6 +12,8 @@
 #include <array>
 #include <vector>
 
+#include <experimental/simd>
+
 namespace Catena
 {
   /**
@@ -23,9 +25,10 @@ namespace Catena
     static constexpr unsigned int n_nodes    = n_quadratic_nodes(dim);
     static constexpr unsigned int n_vertices = n_linear_nodes(dim);
 
-    /// A number for each node, in whole registers.
-    using Register = double __attribute__((vector_size(64)));
-    static constexpr unsigned int n_registers = (n_nodes + 7) / 8;
+    /// A number for each node, in whole registers of the processor.
+    using Register = std::experimental::native_simd<double>;
+    static constexpr unsigned int width       = Register::size();
+    static constexpr unsigned int n_registers = (n_nodes + width - 1) / width;
     struct NodeNumbers
     {
       std::array<Register, n_registers> registers = {};
@@ -33,13 +36,13 @@ namespace Catena
       double
       operator[](const unsigned int a) const
       {
-        return registers[a / 8][a % 8];
+        return registers[a / width][a % width];
       }
 
       void
       set(const unsigned int a, const double value)
       {
-        registers[a / 8][a % 8] = value;
+        registers[a / width][a % width] = value;
       }
 
       /// this += factor x
