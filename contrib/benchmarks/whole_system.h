@@ -81,9 +81,9 @@ public:
     const auto identity = [this](const int k) { return first_rigid + k; };
     const auto velocity = [this](const int i) { return velocity_places[i]; };
     const auto pressure = [this](const int i) { return pressure_places[i]; };
-    add(rows, matrices.velocity, velocity, velocity, false);
-    add(rows, matrices.gradient, velocity, pressure, false);
-    add(rows, matrices.divergence, pressure, velocity, false);
+    add(rows, matrices.velocity, velocity, velocity);
+    add(rows, matrices.gradient, velocity, pressure);
+    add(rows, matrices.divergence, pressure, velocity);
     add(rows, matrices.velocity_rigid, velocity, identity, false);
     add(rows, matrices.rigid_velocity_transposed, velocity, identity, true);
     add(rows, matrices.pressure_rigid, pressure, identity, false);
@@ -157,6 +157,31 @@ private:
     --n_places;
   }
 
+  // on one process, where local numbers are global ones
+  template <int n_rows, int n_columns, typename RowPlace, typename ColumnPlace>
+  static void
+  add(std::vector<std::vector<std::pair<int, double>>>     &rows,
+      const Catena::BlockMatrix<n_rows, n_columns, double> &matrix,
+      const RowPlace                                       &row_place,
+      const ColumnPlace                                    &column_place)
+  {
+    const Catena::BlockPattern &pattern = matrix.pattern();
+    for (unsigned int row = 0; row < pattern.n_rows(); ++row)
+      for (unsigned int k = pattern.row_start(row);
+           k < pattern.row_start(row + 1);
+           ++k)
+        for (int c = 0; c < n_columns; ++c)
+          for (int r = 0; r < n_rows; ++r)
+            {
+              const int i = row_place(n_rows * row + r),
+                        j = column_place(
+                          n_columns * pattern.local_columns()[k] + c);
+              const double value = matrix.block(k)[n_rows * c + r];
+              if (i >= 0 && j >= 0 && value != 0.)
+                rows[i].emplace_back(j, value);
+            }
+  }
+
   template <typename RowPlace, typename ColumnPlace>
   static void
   add(std::vector<std::vector<std::pair<int, double>>> &rows,
@@ -190,23 +215,16 @@ private:
                  const Catena::FlowMatrices<3> &matrices,
                  const std::string             &order)
   {
-    // the graph of the nodes, from the rows of their first component
-    const Epetra_CrsMatrix &epetra = matrices.velocity.trilinos_matrix();
-    const unsigned int      n      = mesh.n_global_nodes();
-    std::vector<idx_t>      starts = {0}, neighbours;
+    const Catena::BlockPattern &pattern = matrices.velocity.pattern();
+    const unsigned int          n       = mesh.n_global_nodes();
+    std::vector<idx_t>          starts  = {0}, neighbours;
     for (unsigned int node = 0; node < n; ++node)
       {
-        int     n_entries, *columns;
-        double *values;
-        epetra.ExtractMyRowView(3 * node, n_entries, values, columns);
-        for (int k = 0; k < n_entries; ++k)
-          {
-            const unsigned int other = epetra.GCID(columns[k]) / 3;
-            if (other != node &&
-                (neighbours.size() == static_cast<std::size_t>(starts.back()) ||
-                 neighbours.back() != static_cast<idx_t>(other)))
-              neighbours.push_back(other);
-          }
+        for (unsigned int k = pattern.row_start(node);
+             k < pattern.row_start(node + 1);
+             ++k)
+          if (pattern.local_columns()[k] != node)
+            neighbours.push_back(pattern.local_columns()[k]);
         starts.push_back(neighbours.size());
       }
     std::vector<idx_t> nodes(n), places(n);

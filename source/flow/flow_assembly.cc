@@ -78,22 +78,19 @@ namespace Catena
     for (unsigned int a = 0; a < FlowElement<dim>::n_nodes; ++a)
       {
         const NodeCoupling<dim> &test = *element.couplings[a];
-        const int row = matrices.velocity_access.row(dim * test.master);
-        if (!test.has_unknown() || row == CsrAccess::absent)
+        const unsigned int row = matrices.velocity.pattern().row(test.master);
+        if (!test.has_unknown() || row == BlockPattern::absent)
           continue;
         for (unsigned int b = 0; b < FlowElement<dim>::n_nodes; ++b)
           {
             if (!element.couplings[b]->has_unknown())
               continue;
             const auto &trial = element.couplings[b]->factors;
-            for (unsigned int i = 0; i < dim; ++i)
-              {
-                double *entries = matrices.velocity_access.values(row + i) +
-                                  offset.velocity[a][b];
-                for (unsigned int j = 0; j < dim; ++j)
-                  entries[j] +=
-                    test.factors[i] * element.velocity[i][j][a][b] * trial[j];
-              }
+            double *block = matrices.velocity.block(row, offset.velocity[a][b]);
+            for (unsigned int j = 0; j < dim; ++j)
+              for (unsigned int i = 0; i < dim; ++i)
+                *block++ +=
+                  test.factors[i] * element.velocity[i][j][a][b] * trial[j];
           }
       }
   }
@@ -109,27 +106,24 @@ namespace Catena
       {
         const unsigned int master =
           mesh.vertex_master(element.cell->vertices[v]);
-        const int row = matrices.divergence_access.row(master);
+        const unsigned int row = matrices.divergence.pattern().row(master);
         for (unsigned int b = 0; b < FlowElement<dim>::n_nodes; ++b)
           {
             const NodeCoupling<dim> &node = *element.couplings[b];
             if (!node.has_unknown())
               continue;
-            const Tensor<1, dim> &value = element.divergence[v][b];
-            if (row != CsrAccess::absent)
-              {
-                double *entries = matrices.divergence_access.values(row) +
-                                  offset.divergence[v][b];
-                for (unsigned int j = 0; j < dim; ++j)
-                  entries[j] += value[j] * node.factors[j];
-              }
-            const int gradient_row =
-              matrices.gradient_access.row(dim * node.master);
-            if (gradient_row != CsrAccess::absent)
+            const Tensor<1, dim> &value  = element.divergence[v][b];
+            const auto            add_to = [&](double *block) {
               for (unsigned int j = 0; j < dim; ++j)
-                matrices.gradient_access.values(gradient_row +
-                                                j)[offset.gradient[v][b]] +=
-                  value[j] * node.factors[j];
+                block[j] += value[j] * node.factors[j];
+            };
+            if (row != BlockPattern::absent)
+              add_to(matrices.divergence.block(row, offset.divergence[v][b]));
+            const unsigned int gradient_row =
+              matrices.gradient.pattern().row(node.master);
+            if (gradient_row != BlockPattern::absent)
+              add_to(
+                matrices.gradient.block(gradient_row, offset.gradient[v][b]));
           }
       }
   }
@@ -332,23 +326,21 @@ namespace Catena
                                        element.cell->vertices[w])),
                                    element.mass[v][w]);
       }
-    for (const auto &component : matrices.component_matrices)
+    for (auto &component : matrices.component_matrices)
       {
         std::array<double, FlowElement<dim>::n_nodes> factors;
         for (unsigned int a = 0; a < FlowElement<dim>::n_nodes; ++a)
           factors[a] =
-            element.couplings[a]->shared_factor(component->components);
+            element.couplings[a]->shared_factor(component.components);
         for (unsigned int a = 0; a < FlowElement<dim>::n_nodes; ++a)
           {
-            const int row = component->access.row(element.couplings[a]->master);
-            if (factors[a] == 0. || row == CsrAccess::absent)
+            const unsigned int row =
+              component.matrix.pattern().row(element.couplings[a]->master);
+            if (factors[a] == 0. || row == BlockPattern::absent)
               continue;
-            // a component's matrix has an entry where the velocity's has a
-            // block
-            double *entries = component->access.values(row);
             for (unsigned int b = 0; b < FlowElement<dim>::n_nodes; ++b)
               if (factors[b] != 0.)
-                entries[offset.velocity[a][b] / dim] +=
+                *component.matrix.block(row, offset.velocity[a][b]) +=
                   factors[a] * factors[b] * element.component[a][b];
           }
       }
@@ -364,26 +356,27 @@ namespace Catena
   void
   FlowAssembly<dim>::finish(const bool with_preconditioner)
   {
-    const auto fix = [](const CsrAccess &access, const unsigned int i) {
-      access.add(access.row(i), access.column(i), 1.);
-    };
+    const BlockPattern &pattern = matrices.velocity.pattern();
     for (const auto node : mesh.owned_nodes())
       {
         const NodeCoupling<dim> &coupling = couplings[node];
+        const unsigned int       row      = pattern.row(node),
+                           offset         = pattern.offset(row, node);
         for (unsigned int d = 0; d < dim; ++d)
           if (coupling.master != node || coupling.factors[d] == 0.)
-            fix(matrices.velocity_access, dim * node + d);
+            matrices.velocity.block(row, offset)[(dim + 1) * d] += 1.;
         if (with_preconditioner)
-          for (const auto &component : matrices.component_matrices)
+          for (auto &component : matrices.component_matrices)
             if (coupling.master != node ||
-                coupling.shared_factor(component->components) == 0.)
-              fix(component->access, node);
+                coupling.shared_factor(component.components) == 0.)
+              *component.matrix.block(row, offset) += 1.;
       }
+    const CsrAccess &mass = matrices.mass_access;
     if (with_preconditioner)
       for (const auto vertex : mesh.owned_scalars())
         if (mesh.vertex_master(vertex) != vertex)
-          fix(matrices.mass_access, vertex);
-    matrices.update_products();
+          mass.add(mass.row(vertex), mass.column(vertex), 1.);
+    matrices.update_single_precision();
 
     // nothing moves, and a matrix without entries has no sum
     if (bodies.n_unknowns() == 0)

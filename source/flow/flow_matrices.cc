@@ -38,25 +38,20 @@ namespace Catena
     const std::vector<NodeCoupling<dim>> &couplings)
   {
     const FlowSparsity sparsity(mesh, bodies, couplings);
-    const MPI_Comm     comm = mesh.communicator();
-    velocity.reinit(mesh.owned_vectors(),
-                    mesh.owned_vectors(),
-                    sparsity.velocities,
-                    comm);
-    velocity_access =
-      CsrAccess(velocity, mesh.owned_vectors(), mesh.relevant_vectors());
-    gradient.reinit(mesh.owned_vectors(),
-                    mesh.owned_scalars(),
-                    sparsity.gradients,
-                    comm);
-    gradient_access =
-      CsrAccess(gradient, mesh.owned_vectors(), mesh.relevant_scalars());
-    divergence.reinit(mesh.owned_scalars(),
-                      mesh.owned_vectors(),
-                      sparsity.divergences,
-                      comm);
-    divergence_access =
-      CsrAccess(divergence, mesh.owned_scalars(), mesh.relevant_vectors());
+    const MPI_Comm     comm     = mesh.communicator();
+    const IndexSet    &nodes    = mesh.owned_nodes();
+    const IndexSet    &vertices = mesh.owned_scalars();
+    const auto         pattern  = [&](const IndexSet               &rows,
+                             const IndexSet               &columns,
+                             const DynamicSparsityPattern &pairs) {
+      return std::make_shared<const BlockPattern>(rows, columns, pairs, comm);
+    };
+    velocity =
+      BlockMatrix<dim, dim, double>(pattern(nodes, nodes, sparsity.nodes));
+    gradient =
+      BlockMatrix<dim, 1, double>(pattern(nodes, vertices, sparsity.gradients));
+    divergence = BlockMatrix<1, dim, double>(
+      pattern(vertices, nodes, sparsity.divergences));
     pressure_mass.reinit(mesh.owned_scalars(),
                          mesh.owned_scalars(),
                          sparsity.masses,
@@ -88,10 +83,7 @@ namespace Catena
         rigid_velocity_product = RigidProduct(rigid_velocity_transposed);
         pressure_rigid_product = RigidProduct(pressure_rigid);
       }
-    velocity_product   = BlockProduct<dim, dim>(velocity);
-    gradient_product   = BlockProduct<dim, 1>(gradient);
-    divergence_product = BlockProduct<1, dim>(divergence);
-    make_component_matrices(couplings, sparsity.nodes);
+    make_component_matrices(couplings);
     find_offsets(couplings);
   }
 
@@ -114,24 +106,24 @@ namespace Catena
             for (unsigned int a = 0; a < Offsets::n_nodes; ++a)
               {
                 const NodeCoupling<dim> &test = couplings[cell.nodes[a]];
-                const int row = velocity_access.row(dim * test.master);
-                if (test.has_unknown() && row != CsrAccess::absent)
-                  offsets[c].velocity[a][b] = velocity_access.offset(
-                    row, velocity_access.column(dim * trial.master));
+                const unsigned int row = velocity.pattern().row(test.master);
+                if (test.has_unknown() && row != BlockPattern::absent)
+                  offsets[c].velocity[a][b] =
+                    velocity.pattern().offset(row, trial.master);
               }
-            const int gradient_row = gradient_access.row(dim * trial.master);
+            const unsigned int gradient_row =
+              gradient.pattern().row(trial.master);
             for (unsigned int v = 0; v < Offsets::n_vertices; ++v)
               {
                 const unsigned int vertex =
                   mesh.vertex_master(cell.vertices[v]);
-                const int row = divergence_access.row(vertex);
-                if (row != CsrAccess::absent)
-                  offsets[c].divergence[v][b] = divergence_access.offset(
-                    row, divergence_access.column(dim * trial.master));
-                if (gradient_row != CsrAccess::absent)
+                const unsigned int row = divergence.pattern().row(vertex);
+                if (row != BlockPattern::absent)
+                  offsets[c].divergence[v][b] =
+                    divergence.pattern().offset(row, trial.master);
+                if (gradient_row != BlockPattern::absent)
                   offsets[c].gradient[v][b] =
-                    gradient_access.offset(gradient_row,
-                                           gradient_access.column(vertex));
+                    gradient.pattern().offset(gradient_row, vertex);
               }
           }
       }
@@ -163,29 +155,20 @@ namespace Catena
   template <int dim>
   void
   FlowMatrices<dim>::make_component_matrices(
-    const std::vector<NodeCoupling<dim>> &couplings,
-    const DynamicSparsityPattern         &nodes)
+    const std::vector<NodeCoupling<dim>> &couplings)
   {
     for (unsigned int d = 0; d < dim; ++d)
       {
         bool is_new = true;
-        for (const auto &group : component_matrices)
-          if (is_new && share_operator(group->components, d, couplings))
+        for (ComponentMatrix &group : component_matrices)
+          if (is_new && share_operator(group.components, d, couplings))
             {
-              group->components.push_back(d);
+              group.components.push_back(d);
               is_new = false;
             }
-        if (!is_new)
-          continue;
-        auto group = std::make_unique<ComponentMatrix>();
-        group->components.push_back(d);
-        group->matrix.reinit(mesh.owned_nodes(),
-                             mesh.owned_nodes(),
-                             nodes,
-                             mesh.communicator());
-        group->access =
-          CsrAccess(group->matrix, mesh.owned_nodes(), mesh.relevant_nodes());
-        component_matrices.push_back(std::move(group));
+        if (is_new)
+          component_matrices.push_back(
+            {{d}, BlockMatrix<1, 1, double>(velocity.shared_pattern())});
       }
   }
 
@@ -195,9 +178,9 @@ namespace Catena
   void
   FlowMatrices<dim>::clear(const bool with_preconditioner)
   {
-    velocity   = 0.;
-    gradient   = 0.;
-    divergence = 0.;
+    velocity.clear();
+    gradient.clear();
+    divergence.clear();
     if (n_rigid() > 0)
       {
         velocity_rigid            = 0.;
@@ -212,8 +195,8 @@ namespace Catena
     if (with_preconditioner)
       {
         pressure_mass = 0.;
-        for (const auto &component : component_matrices)
-          component->matrix = 0.;
+        for (ComponentMatrix &component : component_matrices)
+          component.matrix.clear();
       }
   }
 
@@ -221,11 +204,11 @@ namespace Catena
 
   template <int dim>
   void
-  FlowMatrices<dim>::update_products()
+  FlowMatrices<dim>::update_single_precision()
   {
-    velocity_product.update();
-    gradient_product.update();
-    divergence_product.update();
+    fast_velocity   = velocity;
+    fast_gradient   = gradient;
+    fast_divergence = divergence;
   }
 
 

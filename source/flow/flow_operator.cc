@@ -14,9 +14,9 @@ namespace Catena
   {
     if (precision == Precision::single_precision)
       {
-        matrices.velocity_product.vmult(dst.block(0), src.block(0));
-        matrices.gradient_product.vmult_add(dst.block(0), src.block(1));
-        matrices.divergence_product.vmult(dst.block(1), src.block(0));
+        matrices.fast_velocity.vmult(dst.block(0), src.block(0));
+        matrices.fast_gradient.vmult_add(dst.block(0), src.block(1));
+        matrices.fast_divergence.vmult(dst.block(1), src.block(0));
       }
     else
       {

@@ -62,7 +62,7 @@ namespace Catena
   {
     dst = 0.;
     IterationNumberControl control(steps, 1e-12);
-    SolverGMRES<VectorType>(control).solve(matrices->velocity_product,
+    SolverGMRES<VectorType>(control).solve(matrices->fast_velocity,
                                            dst,
                                            src,
                                            multigrid);
@@ -158,7 +158,7 @@ namespace Catena
 
     velocity_src = src.block(0);
     velocity_src *= -1.;
-    matrices->gradient_product.vmult_add(velocity_src, dst.block(1));
+    matrices->fast_gradient.vmult_add(velocity_src, dst.block(1));
     velocity_src *= -1.;
     if (strong)
       solve_velocity(dst.block(0), velocity_src, strong_iterations);

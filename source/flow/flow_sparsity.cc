@@ -20,14 +20,11 @@ namespace Catena
                              const RigidBodies<dim>               &bodies,
                              const std::vector<NodeCoupling<dim>> &couplings)
     : nodes(mesh.n_global_nodes(), mesh.n_global_nodes(), mesh.relevant_nodes())
-    , velocities(mesh.vector_dofs().n_dofs(),
-                 mesh.vector_dofs().n_dofs(),
-                 mesh.relevant_vectors())
-    , gradients(mesh.vector_dofs().n_dofs(),
+    , gradients(mesh.n_global_nodes(),
                 mesh.scalar_dofs().n_dofs(),
-                mesh.relevant_vectors())
+                mesh.relevant_nodes())
     , divergences(mesh.scalar_dofs().n_dofs(),
-                  mesh.vector_dofs().n_dofs(),
+                  mesh.n_global_nodes(),
                   mesh.relevant_scalars())
     , masses(mesh.scalar_dofs().n_dofs(),
              mesh.scalar_dofs().n_dofs(),
@@ -42,11 +39,10 @@ namespace Catena
     for (const auto vertex : mesh.owned_scalars())
       masses.add(vertex, vertex);
 
-    std::vector<types::global_dof_index> masters, columns, vertices;
+    std::vector<types::global_dof_index> masters, vertices;
     for (const auto &cell : mesh.cells())
       {
         masters.clear();
-        columns.clear();
         vertices.clear();
         std::vector<unsigned int> motions;
         for (const unsigned int node : cell.nodes)
@@ -63,9 +59,6 @@ namespace Catena
         std::sort(masters.begin(), masters.end());
         masters.erase(std::unique(masters.begin(), masters.end()),
                       masters.end());
-        for (const auto master : masters)
-          for (unsigned int d = 0; d < dim; ++d)
-            columns.push_back(dim * master + d);
         for (const unsigned int vertex : cell.vertices)
           vertices.push_back(mesh.vertex_master(vertex));
         std::sort(vertices.begin(), vertices.end());
@@ -73,20 +66,26 @@ namespace Catena
                        vertices.end());
 
         for (const auto master : masters)
-          nodes.add_entries(master, masters.begin(), masters.end(), true);
-        for (const auto row : columns)
           {
-            gradients.add_entries(row, vertices.begin(), vertices.end(), true);
-            for (const unsigned int k : motions)
-              velocity_motions.add(row, k);
-            if (mesh.scene().pressure_driven())
-              velocity_motions.add(row, bodies.n_unknowns());
+            nodes.add_entries(master, masters.begin(), masters.end(), true);
+            gradients.add_entries(master,
+                                  vertices.begin(),
+                                  vertices.end(),
+                                  true);
+            for (unsigned int row = dim * master; row < dim * (master + 1);
+                 ++row)
+              {
+                for (const unsigned int k : motions)
+                  velocity_motions.add(row, k);
+                if (mesh.scene().pressure_driven())
+                  velocity_motions.add(row, bodies.n_unknowns());
+              }
           }
         for (const auto vertex : vertices)
           {
             divergences.add_entries(vertex,
-                                    columns.begin(),
-                                    columns.end(),
+                                    masters.begin(),
+                                    masters.end(),
                                     true);
             masses.add_entries(vertex, vertices.begin(), vertices.end(), true);
             for (const unsigned int k : motions)
@@ -96,18 +95,6 @@ namespace Catena
 
     for (const auto node : mesh.owned_nodes())
       nodes.add(node, node);
-    for (const auto node : mesh.owned_nodes())
-      {
-        columns.clear();
-        for (auto it = nodes.begin(node); it != nodes.end(node); ++it)
-          for (unsigned int d = 0; d < dim; ++d)
-            columns.push_back(dim * it->column() + d);
-        for (unsigned int d = 0; d < dim; ++d)
-          velocities.add_entries(dim * node + d,
-                                 columns.begin(),
-                                 columns.end(),
-                                 true);
-      }
   }
 
 

@@ -11,18 +11,18 @@ namespace Catena
 
     /// The rows of this rank in single precision.
     SparseRows
-    owned_rows(const TrilinosWrappers::SparseMatrix &matrix)
+    owned_rows(const BlockMatrix<1, 1, double> &matrix)
     {
-      const Epetra_CrsMatrix &epetra = matrix.trilinos_matrix();
-      SparseRows              rows;
-      for (int i = 0; i < epetra.NumMyRows(); ++i)
+      const BlockPattern &pattern = matrix.pattern();
+      SparseRows          rows;
+      for (unsigned int row = 0; row < pattern.n_rows(); ++row)
         {
-          int     n;
-          int    *columns;
-          double *values;
-          epetra.ExtractMyRowView(i, n, values, columns);
-          for (int k = 0; k < n; ++k)
-            rows.add(epetra.ColMap().GID(columns[k]), values[k]);
+          for (unsigned int k = pattern.row_start(row);
+               k < pattern.row_start(row + 1);
+               ++k)
+            rows.add(pattern.column_nodes().local_to_global(
+                       pattern.local_columns()[k]),
+                     *matrix.block(k));
           rows.end_row();
         }
       return rows;
@@ -39,7 +39,7 @@ namespace Catena
   {
     const MPI_Comm   comm = mesh.communicator();
     const SparseRows shared_rows =
-      owned_rows(matrices.component_matrices.front()->matrix);
+      owned_rows(matrices.component_matrices.front().matrix);
     const auto nodes = make_nodes(shared_rows.size(), {&shared_rows}, comm);
     const NodeMatrix shared(shared_rows, nodes);
 
@@ -49,7 +49,7 @@ namespace Catena
       {
         const VertexInterpolation<dim> interpolation(mesh,
                                                      couplings,
-                                                     group->components);
+                                                     group.components);
         for (unsigned int i = 0; i < masks.size(); ++i)
           masks[i] |= interpolation.node_masks[i];
 
@@ -59,15 +59,15 @@ namespace Catena
                                    interpolation.vertex_masks,
                                    comm);
         };
-        if (group == matrices.component_matrices.front())
+        if (&group == &matrices.component_matrices.front())
           {
             add_correction(shared);
             continue;
           }
         FieldMask fields = 0;
-        for (const unsigned int component : group->components)
+        for (const unsigned int component : group.components)
           fields |= 1U << component;
-        SparseRows rows = owned_rows(group->matrix);
+        SparseRows rows = owned_rows(group.matrix);
         add_correction(NodeMatrix(rows, nodes));
         others.push_back({fields, std::move(rows)});
       }

@@ -3,14 +3,13 @@
 
 #include <catena/base/csr_access.h>
 #include <catena/base/types.h>
-#include <catena/flow/block_product.h>
+#include <catena/flow/block_matrix.h>
 #include <catena/flow/node_couplings.h>
 #include <catena/flow/rigid_product.h>
 #include <catena/particles/rigid_bodies.h>
 
 #include <deal.II/base/index_set.h>
 
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
@@ -65,9 +64,9 @@ namespace Catena
     void
     clear(const bool with_preconditioner);
 
-    /// Take over what the sparse blocks now are into the products.
+    /// Take over what A, B^T and B are now into those in single precision.
     void
-    update_products();
+    update_single_precision();
 
     /// Number of unknowns r: the rigid-body unknowns, then P if there is one.
     unsigned int
@@ -76,17 +75,19 @@ namespace Catena
       return rigid_rigid.m();
     }
 
-    /// Sparse blocks A, B^T, B, C, R^T, D.
-    dealii::TrilinosWrappers::SparseMatrix velocity, gradient, divergence,
-      velocity_rigid, rigid_velocity_transposed, pressure_rigid;
-    dealii::FullMatrix<double> rigid_rigid;
+    /// A, B^T, B, and the same in single precision.
+    BlockMatrix<dim, dim, double> velocity;
+    BlockMatrix<dim, 1, double>   gradient;
+    BlockMatrix<1, dim, double>   divergence;
+    BlockMatrix<dim, dim, float>  fast_velocity;
+    BlockMatrix<dim, 1, float>    fast_gradient;
+    BlockMatrix<1, dim, float>    fast_divergence;
 
-    /// Products with the large blocks in single precision, and with C, R^T and
-    /// D.
-    BlockProduct<dim, dim> velocity_product;
-    BlockProduct<dim, 1>   gradient_product;
-    BlockProduct<1, dim>   divergence_product;
-    RigidProduct           velocity_rigid_product, rigid_velocity_product,
+    /// C, R^T, D, S.
+    dealii::TrilinosWrappers::SparseMatrix velocity_rigid,
+      rigid_velocity_transposed, pressure_rigid;
+    dealii::FullMatrix<double> rigid_rigid;
+    RigidProduct               velocity_rigid_product, rigid_velocity_product,
       pressure_rigid_product;
 
     /// Right-hand sides f, g; h is the same on every rank.
@@ -106,20 +107,19 @@ namespace Catena
      */
     struct ComponentMatrix
     {
-      std::vector<unsigned int>              components;
-      dealii::TrilinosWrappers::SparseMatrix matrix;
-      CsrAccess                              access;
+      std::vector<unsigned int> components;
+      /// with the pattern of A
+      BlockMatrix<1, 1, double> matrix;
     };
-    std::vector<std::unique_ptr<ComponentMatrix>> component_matrices;
+    std::vector<ComponentMatrix> component_matrices;
 
-    /// Where the entries of the sparse blocks are stored.
-    CsrAccess velocity_access, gradient_access, divergence_access,
-      velocity_rigid_access, rigid_velocity_access, pressure_rigid_access,
-      mass_access;
+    /// Where the entries of the other sparse blocks are stored.
+    CsrAccess velocity_rigid_access, rigid_velocity_access,
+      pressure_rigid_access, mass_access;
 
     /**
-     * Where in their rows the entries of a cell's node pairs are stored, found
-     * once for each pattern.
+     * Which blocks of their rows are those of a cell's node pairs, found once
+     * for each pattern.
      */
     struct Offsets
     {
@@ -150,8 +150,7 @@ namespace Catena
                    const std::vector<NodeCoupling<dim>> &couplings) const;
 
     void
-    make_component_matrices(const std::vector<NodeCoupling<dim>> &couplings,
-                            const dealii::DynamicSparsityPattern &nodes);
+    make_component_matrices(const std::vector<NodeCoupling<dim>> &couplings);
   };
 } // namespace Catena
 

@@ -12,10 +12,8 @@
 namespace Catena
 {
   /**
-   * Sparsity patterns of the blocks of FlowMatrices. The velocity pattern is
-   * that of the nodes with all components coupled, so that the rows of a
-   * node's components have the same columns, and the columns of a node lie
-   * side by side.
+   * Which nodes are coupled by A, B^T and B of FlowMatrices, and the sparsity
+   * patterns of its other blocks.
    */
   struct FlowSparsity
   {
@@ -24,8 +22,8 @@ namespace Catena
                  const RigidBodies<dim>               &bodies,
                  const std::vector<NodeCoupling<dim>> &couplings);
 
-    dealii::DynamicSparsityPattern nodes, velocities, gradients, divergences,
-      masses, velocity_motions, pressure_motions;
+    dealii::DynamicSparsityPattern nodes, gradients, divergences, masses,
+      velocity_motions, pressure_motions;
   };
 
 

@@ -1,0 +1,130 @@
+// Products with matrices of blocks and their norm, in double and in single
+// precision, against sums over all pairs of coupled nodes.
+
+#include <catena/flow/block_matrix.h>
+
+#include <cmath>
+
+#include "../tests.h"
+
+using namespace dealii;
+using namespace Catena;
+
+namespace
+{
+  constexpr unsigned int nodes_of_rank = 9;
+
+  /// Rings of all nodes, with bonds to the next and some to one far away.
+  bool
+  coupled(const unsigned int i, const unsigned int j, const unsigned int n)
+  {
+    return (i + n - j) % n <= 1 || (j + n - i) % n <= 1 ||
+           (i % 4 == 0 && (j + n - i) % n == 5);
+  }
+
+  /// An entry that single precision has, too.
+  double
+  entry(const unsigned int row, const unsigned int column)
+  {
+    return ((7 * row + 3 * column) % 11) / 8. - 0.5;
+  }
+
+  double
+  source(const unsigned int dof)
+  {
+    return std::sin(1. + dof);
+  }
+
+  template <int n_rows, int n_columns, typename Number>
+  double
+  product_error(const BlockMatrix<n_rows, n_columns, Number> &matrix,
+                const VectorType                             &src,
+                VectorType                                    dst)
+  {
+    matrix.vmult(dst, src);
+    matrix.vmult_add(dst, src);
+    const unsigned int n = src.size() / n_columns;
+    VectorType         difference(dst);
+    for (const auto row : dst.locally_owned_elements())
+      for (unsigned int column = 0; column < src.size(); ++column)
+        if (coupled(row / n_rows, column / n_columns, n))
+          difference(row) -= 2. * entry(row, column) * source(column);
+    return difference.linfty_norm();
+  }
+
+  template <int n_rows, int n_columns>
+  void
+  check(Tests::Claims &claims)
+  {
+    const MPI_Comm     comm    = MPI_COMM_WORLD;
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(comm),
+                       rank    = Utilities::MPI::this_mpi_process(comm),
+                       n       = n_ranks * nodes_of_rank;
+    const auto owned           = [&](const unsigned int n_components) {
+      IndexSet set(n_components * n);
+      set.add_range(n_components * nodes_of_rank * rank,
+                    n_components * nodes_of_rank * (rank + 1));
+      return set;
+    };
+
+    DynamicSparsityPattern couplings(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        if (coupled(i, j, n))
+          couplings.add(i, j);
+    const auto pattern =
+      std::make_shared<const BlockPattern>(owned(1), owned(1), couplings, comm);
+    BlockMatrix<n_rows, n_columns, double> matrix(pattern);
+    double                                 square = 0.;
+    for (unsigned int i = 0; i < n; ++i)
+      for (auto it = couplings.begin(i); it != couplings.end(i); ++it)
+        for (unsigned int c = 0; c < n_columns; ++c)
+          for (unsigned int r = 0; r < n_rows; ++r)
+            {
+              const unsigned int j = it->column(), row = pattern->row(i);
+              const double value = entry(n_rows * i + r, n_columns * j + c);
+              square += value * value;
+              if (row != BlockPattern::absent)
+                matrix.block(row, pattern->offset(row, j))[n_rows * c + r] +=
+                  value;
+            }
+
+    const std::string shape = ", blocks of " + std::to_string(n_rows) + " x " +
+                              std::to_string(n_columns);
+    VectorType src(owned(n_columns), comm), dst(owned(n_rows), comm);
+    for (const auto i : src.locally_owned_elements())
+      src(i) = source(i);
+    claims.near("the norm is that of all entries" + shape,
+                matrix.frobenius_norm(),
+                std::sqrt(square),
+                1e-13 * std::sqrt(square));
+    claims.at_most("products in double precision are right" + shape,
+                   product_error(matrix, src, dst),
+                   1e-13);
+    BlockMatrix<n_rows, n_columns, float> fast;
+    fast = matrix;
+    claims.at_most("and with entries in single precision" + shape,
+                   product_error(fast, src, dst),
+                   1e-13);
+    matrix.clear();
+    fast = matrix;
+    fast.vmult(dst, src);
+    claims.near("without entries nothing is left" + shape,
+                dst.linfty_norm() + matrix.frobenius_norm(),
+                0.,
+                0.);
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  return Tests::run(argc, argv, [](Tests::Claims &claims) {
+    check<1, 2>(claims);
+    check<1, 3>(claims);
+    check<2, 1>(claims);
+    check<3, 1>(claims);
+    check<2, 2>(claims);
+    check<3, 3>(claims);
+  });
+}
