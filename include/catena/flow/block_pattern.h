@@ -45,7 +45,8 @@ namespace Catena
       return columns.size();
     }
 
-    /// The first block of a row, and the one after its last for the row after.
+    /// Number of the first block of a row; the last is the one before that of
+    /// the next row.
     unsigned int
     row_start(const unsigned int row) const
     {
