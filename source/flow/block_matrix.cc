@@ -1,3 +1,4 @@
+#include <catena/base/node_dofs.h>
 #include <catena/flow/block_matrix.h>
 
 #include <deal.II/base/mpi.h>
@@ -55,18 +56,6 @@ namespace Catena
       return product;
     }
 
-
-
-    /// The degrees of freedom of nodes with @p n_components each.
-    IndexSet
-    dofs_of(const IndexSet &nodes, const unsigned int n_components)
-    {
-      IndexSet dofs(n_components * nodes.size());
-      for (auto it = nodes.begin_intervals(); it != nodes.end_intervals(); ++it)
-        dofs.add_range(n_components * *it->begin(),
-                       n_components * (it->last() + 1));
-      return dofs;
-    }
   } // namespace
 
 
@@ -81,8 +70,8 @@ namespace Catena
   {
     const auto &nodes = block_pattern->column_nodes();
     if (nodes.n_mpi_processes() > 1)
-      ghosted_src.reinit(dofs_of(nodes.locally_owned_range(), n_columns),
-                         dofs_of(nodes.ghost_indices(), n_columns),
+      ghosted_src.reinit(node_dofs(nodes.locally_owned_range(), n_columns),
+                         node_dofs(nodes.ghost_indices(), n_columns),
                          nodes.get_mpi_communicator());
   }
 

@@ -356,20 +356,21 @@ namespace Catena
   void
   FlowAssembly<dim>::finish(const bool with_preconditioner)
   {
-    const BlockPattern &pattern = matrices.velocity.pattern();
     for (const auto node : mesh.owned_nodes())
       {
-        const NodeCoupling<dim> &coupling = couplings[node];
-        const unsigned int       row      = pattern.row(node),
-                           offset         = pattern.offset(row, node);
+        const NodeCoupling<dim> &coupling       = couplings[node];
+        const auto               diagonal_block = [node](auto &matrix) {
+          const unsigned int row = matrix.pattern().row(node);
+          return matrix.block(row, matrix.pattern().offset(row, node));
+        };
         for (unsigned int d = 0; d < dim; ++d)
           if (coupling.master != node || coupling.factors[d] == 0.)
-            matrices.velocity.block(row, offset)[(dim + 1) * d] += 1.;
+            diagonal_block(matrices.velocity)[(dim + 1) * d] += 1.;
         if (with_preconditioner)
           for (auto &component : matrices.component_matrices)
             if (coupling.master != node ||
                 coupling.shared_factor(component.components) == 0.)
-              *component.matrix.block(row, offset) += 1.;
+              *diagonal_block(component.matrix) += 1.;
       }
     const CsrAccess &mass = matrices.mass_access;
     if (with_preconditioner)

@@ -1,3 +1,4 @@
+#include <catena/base/node_dofs.h>
 #include <catena/flow/node_matrix.h>
 
 #include <algorithm>
@@ -60,14 +61,8 @@ namespace Catena
   void
   reinit(NodeVector &vector, const Utilities::MPI::Partitioner &nodes)
   {
-    const auto in_lanes = [](const IndexSet &set) {
-      IndexSet result(n_lanes * set.size());
-      for (auto it = set.begin_intervals(); it != set.end_intervals(); ++it)
-        result.add_range(n_lanes * *it->begin(), n_lanes * (it->last() + 1));
-      return result;
-    };
-    vector.reinit(in_lanes(nodes.locally_owned_range()),
-                  in_lanes(nodes.ghost_indices()),
+    vector.reinit(node_dofs(nodes.locally_owned_range(), n_lanes),
+                  node_dofs(nodes.ghost_indices(), n_lanes),
                   nodes.get_mpi_communicator());
   }
 
