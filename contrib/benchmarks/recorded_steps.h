@@ -16,8 +16,9 @@ struct RecordedStep
 {
   Catena::Configuration<3>            configuration;
   Catena::TimeStep                    step;
-  Catena::VectorType                  positions, convection;
-  std::vector<Catena::VectorType>     old, older, unsmoothed;
+  Catena::VectorType                  positions;
+  std::vector<Catena::VectorType>     old, older;
+  Catena::StressPrediction<3>::Motion fluid_motion;
   Catena::FlowFields<3>               first_guess;
   std::vector<double>                 forces;
   std::vector<Catena::RigidMotion<3>> motions;
@@ -26,7 +27,7 @@ struct RecordedStep
   stress(const Catena::GiesekusParameters &fluid) const
   {
     return Catena::StressPrediction<3>(
-      Catena::Giesekus<3>(fluid), step, old, older, convection, unsmoothed);
+      Catena::Giesekus<3>(fluid), step, old, older, fluid_motion);
   }
 };
 
@@ -82,11 +83,14 @@ record(const Catena::Simulation<3> &simulation,
   result.first_guess.contact_forces.clear();
 
   const auto bdf    = step.bdf();
-  result.convection = result.first_guess.velocity;
-  result.convection.add(-bdf.a0 / step.dt, now.positions);
-  result.convection.add(-bdf.a1 / step.dt, old.positions);
-  result.convection.add(-bdf.a2 / step.dt, older.positions);
-  result.convection.update_ghost_values();
+  auto      &motion = result.fluid_motion;
+  motion.convection = result.first_guess.velocity;
+  motion.convection.add(-bdf.a0 / step.dt, now.positions);
+  motion.convection.add(-bdf.a1 / step.dt, old.positions);
+  motion.convection.add(-bdf.a2 / step.dt, older.positions);
+  motion.convection.update_ghost_values();
+  motion.last_velocity = old.flow.velocity;
+  motion.last_velocity.update_ghost_values();
 
   const auto &bodies = simulation.rigid_bodies();
   result.forces      = simulation.external_forces(now.time);

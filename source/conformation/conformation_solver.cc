@@ -184,7 +184,9 @@ namespace Catena
               history -=
                 point.linear[v] / step.dt * (bdf.a1 * s[v] + bdf.a2 * s_old[v]);
             const double relaxation =
-              std::max(0., model.fastest_relaxation(spectra[q]) - 1. / step.dt);
+              std::max(0.,
+                       model.fastest_relaxation(spectra[q]) + 0.1 * L.norm() -
+                         1. / step.dt);
             SymmetricTensor<2, dim> known =
               history + model.log_conformation_rate(L, spectra[q]) +
               relaxation * extrapolated[q];
@@ -196,17 +198,11 @@ namespace Catena
                 known += source(x);
               }
 
-            // 2|w|/h for the element length h along w
-            double                         crossing_rate = 0.;
             std::array<double, n_vertices> along_w;
             for (unsigned int v = 0; v < n_vertices; ++v)
-              {
-                along_w[v] = w * point.linear_gradient[v];
-                crossing_rate += std::abs(along_w[v]);
-              }
-            const double material_rate =
-              1. / model.relaxation_time() + L.norm();
-            const double tau  = 1. / std::hypot(material_rate, crossing_rate);
+              along_w[v] = w * point.linear_gradient[v];
+            const double tau =
+              model.time_of_change(L, crossing_rate<dim>(point, w));
             const double rate = bdf.a0 / step.dt + relaxation;
 
             for (unsigned int v = 0; v < n_vertices; ++v)

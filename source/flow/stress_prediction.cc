@@ -1,5 +1,8 @@
 #include <catena/flow/stress_prediction.h>
+#include <catena/rheology/exponentials.h>
 #include <catena/rheology/spectral.h>
+
+#include <algorithm>
 
 namespace Catena
 {
@@ -21,14 +24,12 @@ namespace Catena
     const TimeStep                &step,
     const std::vector<VectorType> &log_conformation,
     const std::vector<VectorType> &old_log_conformation,
-    const VectorType              &convection,
-    const std::vector<VectorType> &smooth_strain_rate)
+    const Motion                  &motion)
     : model(model)
     , step(step)
     , log_conformation(log_conformation)
     , old_log_conformation(old_log_conformation)
-    , convection(convection)
-    , smooth_strain_rate(smooth_strain_rate)
+    , motion(motion)
   {}
 
 
@@ -45,33 +46,32 @@ namespace Catena
     const bool            has_previous  = step.has_previous();
     const auto            s = vertex_tensors<dim>(cell, log_conformation);
     const auto s_old        = vertex_tensors<dim>(cell, old_log_conformation);
-    const auto convections  = node_vectors<dim>(cell, convection);
     const auto identity     = unit_symmetric_tensor<dim>();
+    const auto convections  = node_vectors<dim>(cell, motion.convection);
+    const auto u_last       = node_vectors<dim>(cell, motion.last_velocity);
 
-    // at each point s^n, and in a step that has a previous one s^ and s^(n-1)
     const unsigned int                   n_points = values.points().size();
-    std::vector<SymmetricTensor<2, dim>> tensors(has_previous ? 3 * n_points :
-                                                                n_points);
+    std::vector<SymmetricTensor<2, dim>> s_now(n_points), s_before(n_points),
+      s_hat(n_points);
     for (unsigned int q = 0; q < n_points; ++q)
       {
-        SymmetricTensor<2, dim> s_q, s_old_q;
         for (unsigned int v = 0; v < MovingMesh<dim>::n_vertices; ++v)
           {
-            s_q += values.points()[q].linear[v] * s[v];
-            s_old_q += values.points()[q].linear[v] * s_old[v];
+            s_now[q] += values.points()[q].linear[v] * s[v];
+            s_before[q] += values.points()[q].linear[v] * s_old[v];
           }
-        tensors[q] = s_q;
-        if (has_previous)
-          {
-            tensors[n_points + q] =
-              extrapolation.b0 * s_q + extrapolation.b1 * s_old_q;
-            tensors[2 * n_points + q] = s_old_q;
-          }
+        s_hat[q] = extrapolation.b0 * s_now[q] + extrapolation.b1 * s_before[q];
       }
-    std::vector<SpectralDecomposition<dim>> spectra;
-    spectral_decompositions(tensors, spectra);
+    std::vector<SymmetricTensor<2, dim>> c_now, c_before, c_hat;
+    exponentials(s_now, c_now);
+    if (has_previous)
+      exponentials(s_before, c_before);
+    exponentials(s_hat, c_hat);
+    std::vector<SpectralDecomposition<dim>> spectra_hat;
+    spectral_decompositions(s_hat, spectra_hat);
 
     const double G = model.modulus(), beta = model.solvent_viscosity();
+    const double implicit_time = step.dt / bdf.a0;
     coefficients.resize(n_points);
     for (unsigned int q = 0; q < n_points; ++q)
       {
@@ -83,24 +83,31 @@ namespace Catena
             (w * point.linear_gradient[v]) *
             (extrapolation.b0 * s[v] + extrapolation.b1 * s_old[v]);
 
-        const auto &spectrum =
-          has_previous ? spectra[n_points + q] : spectra[q];
-        const SymmetricTensor<2, dim> c_hat = exponential<dim>(spectrum);
-        SymmetricTensor<2, dim>       history =
-          -bdf.a1 * exponential<dim>(spectra[q]);
+        SymmetricTensor<2, dim> known =
+          -bdf.a1 / bdf.a0 * c_now[q] +
+          implicit_time * model.relaxation(c_hat[q]);
+        double memory = implicit_time;
         if (has_previous)
-          history -= bdf.a2 * exponential<dim>(spectra[2 * n_points + q]);
+          {
+            known -= bdf.a2 / bdf.a0 * c_before[q];
+            const Tensor<2, dim> L = gradient_at<dim>(point, u_last);
+            memory =
+              std::min(memory,
+                       model.time_of_change(L,
+                                            crossing_rate<dim>(point, w) / 4.));
+            if (memory < implicit_time)
+              known -= (implicit_time - memory) *
+                       (model.conformation_rate(L, c_now[q]) -
+                        (1. / step.previous_dt) * (c_now[q] - c_before[q]));
+          }
+        known -=
+          memory * exponential_derivative<dim>(spectra_hat[q], s_hat_along_w);
 
         coefficients[q].viscosity =
-          beta * identity + (G * step.dt / bdf.a0) * c_hat;
-        coefficients[q].known_stress =
-          (G / bdf.a0) *
-            (history +
-             step.dt * (model.relaxation(c_hat) -
-                        exponential_derivative<dim>(spectrum, s_hat_along_w))) -
-          G * identity;
+          beta * identity + (G * implicit_time) * c_hat[q];
+        coefficients[q].known_stress = G * (known - identity);
       }
-    if (!smooth_strain_rate.empty())
+    if (!motion.smooth_strain_rate.empty())
       add_numerical_viscosity(cell, values, coefficients);
   }
 
@@ -114,7 +121,7 @@ namespace Catena
     std::vector<StressCoefficients<dim>> &coefficients) const
   {
     const double theta = numerical_viscosity(model);
-    const auto   rates = vertex_tensors<dim>(cell, smooth_strain_rate);
+    const auto   rates = vertex_tensors<dim>(cell, motion.smooth_strain_rate);
     for (unsigned int q = 0; q < coefficients.size(); ++q)
       {
         coefficients[q].viscosity += theta * unit_symmetric_tensor<dim>();

@@ -1,7 +1,6 @@
 #include <catena/conformation/strain_rate_projection.h>
 #include <catena/flow/carreau_stress.h>
 #include <catena/flow/particle_forces.h>
-#include <catena/flow/stress_prediction.h>
 #include <catena/simulation/flow_step.h>
 
 namespace Catena
@@ -64,6 +63,8 @@ namespace Catena
     result.convection = next.flow.velocity;
     result.convection -= mesh_velocity;
     result.convection.update_ghost_values();
+    result.last_velocity = now.flow.velocity;
+    result.last_velocity.update_ghost_values();
     if (has_numerical_viscosity(step))
       result.smooth_strain_rate =
         StrainRateProjection<dim>(*mesh).project(now.flow.velocity);
@@ -91,8 +92,7 @@ namespace Catena
       step,
       log_conformation,
       old_log_conformation.empty() ? log_conformation : old_log_conformation,
-      motion.convection,
-      motion.smooth_strain_rate);
+      motion);
   }
 
 
@@ -245,7 +245,7 @@ namespace Catena
 
     // it depends on the viscosity, which knows of no motion
     Motion rest;
-    rest.convection = mesh->vector_field();
+    rest.convection = rest.last_velocity = mesh->vector_field();
     if (parameters.viscoelastic() && has_numerical_viscosity(instant.step))
       rest.smooth_strain_rate = mesh->tensor_field();
 

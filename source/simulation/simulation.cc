@@ -140,19 +140,21 @@ namespace Catena
 
 
   /**
-   * The wanted step, but not over an instant at which something is due.
+   * The wanted step, but not over an instant at which something is due: the
+   * last steps before it share what is left, the more of them the less they
+   * are shortened; constant ones stay so up to the last two.
    */
   template <int dim>
   double
   Simulation<dim>::next_dt() const
   {
+    const double n_last_steps =
+      parameters.step_control.tolerance > 0. ? 10. : 2.;
     const double now    = state.now.time;
     const double left   = protocol.next_instant(now) - now;
     const double wanted = step_control.next_step();
-    if (left < 1.001 * wanted)
-      return left;
-    // equal steps at the end, no small rest
-    return left < 2. * wanted ? left / 2. : wanted;
+    const double n_left = std::ceil(left / wanted - 1e-3);
+    return n_left > n_last_steps ? wanted : left / n_left;
   }
 
 

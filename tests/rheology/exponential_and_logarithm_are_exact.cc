@@ -2,6 +2,7 @@
 // roundings of the data, for equal, close and widely spread eigenvalues.
 
 #include <catena/base/exceptions.h>
+#include <catena/rheology/exponentials.h>
 #include <catena/rheology/spectral.h>
 
 #include "../tests.h"
@@ -57,9 +58,9 @@ test(Catena::Tests::Claims &claims)
   using namespace Catena;
 
   std::mt19937 generator(dim);
-  double       exponential_error = 0., logarithm_error = 0., round_trip = 0.,
-         near_identity = 0., derivative_error = 0., inverse_error = 0.,
-         reference_error = 0.;
+  double exponential_error = 0., exponentials_error = 0., logarithm_error = 0.,
+         round_trip = 0., near_identity = 0., derivative_error = 0.,
+         inverse_error = 0., reference_error = 0.;
   for (const auto &s : Reference::hard_cases<dim>(generator))
     {
       const SpectralDecomposition<dim> d = spectral_decomposition(s);
@@ -71,6 +72,14 @@ test(Catena::Tests::Claims &claims)
       exponential_error = std::max(
         exponential_error,
         Reference::roundings(c, exact_c, condition * Reference::norm(exact_c)));
+
+      std::vector<dealii::SymmetricTensor<2, dim>> without_spectrum;
+      exponentials<dim>({s}, without_spectrum);
+      exponentials_error =
+        std::max(exponentials_error,
+                 Reference::roundings(without_spectrum[0],
+                                      exact_c,
+                                      condition * Reference::norm(exact_c)));
 
       const auto [low, high] =
         std::minmax_element(d.values.begin(), d.values.end());
@@ -123,6 +132,9 @@ test(Catena::Tests::Claims &claims)
 
   const std::string name = "dim " + std::to_string(dim) + ", ";
   claims.at_most(name + "exp is exact", exponential_error, 8.);
+  claims.at_most(name + "exp without a spectrum is exact",
+                 exponentials_error,
+                 64.);
   claims.at_most(name + "log is exact", logarithm_error, 8.);
   claims.at_most(name + "log inverts exp", round_trip, 8.);
   claims.at_most(name + "log is exact relative to c - I", near_identity, 16.);
@@ -131,6 +143,17 @@ test(Catena::Tests::Claims &claims)
                  16.);
   claims.at_most(name + "the derivative of log is exact", inverse_error, 16.);
   claims.at_most(name + "the references agree", reference_error, 1e-30);
+
+  dealii::SymmetricTensor<2, dim> infinite, too_large;
+  infinite[0][1]  = std::numeric_limits<double>::infinity();
+  too_large[0][0] = 1e6;
+  for (const auto &s : {infinite, too_large})
+    {
+      std::vector<dealii::SymmetricTensor<2, dim>> none;
+      exponentials<dim>({s}, none);
+      claims.holds(name + "what has no exponential gives none",
+                   !std::isfinite(none[0].norm()));
+    }
 
   auto c  = dealii::unit_symmetric_tensor<dim, double>();
   c[0][1] = 1.;

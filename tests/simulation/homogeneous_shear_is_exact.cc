@@ -100,16 +100,17 @@ simulate(const Scene<dim>         &scene,
     }
 
   // what the flow of the next step takes for the stress
-  std::vector<VectorType> smooth_strain_rate;
+  typename StressPrediction<dim>::Motion motion;
+  motion.convection    = state.now.flow.velocity;
+  motion.last_velocity = state.now.flow.velocity;
   if (StressPrediction<dim>::numerical_viscosity(Giesekus<dim>(fluid)) > 0.)
-    smooth_strain_rate =
+    motion.smooth_strain_rate =
       StrainRateProjection<dim>(mesh).project(state.now.flow.velocity);
   const StressPrediction<dim>          prediction(Giesekus<dim>(fluid),
                                          {report.dt, report.dt},
                                          s,
                                          state.before.log_conformation,
-                                         state.now.flow.velocity,
-                                         smooth_strain_rate);
+                                         motion);
   std::vector<StressCoefficients<dim>> coefficients;
   CellValues<dim>                      values;
   const auto                          &cell = mesh.cells().front();

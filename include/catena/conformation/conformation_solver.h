@@ -47,14 +47,17 @@ namespace Catena
    *
    * with w = u - u_mesh, L the gradient of the new velocity, s^ the
    * extrapolation from the last two levels, and g the rate of
-   * Giesekus::log_conformation_rate(). k is what Giesekus::fastest_relaxation()
-   * has above 1/dt, mostly nothing: the explicit g(L, s^) alone is stable up to
-   * 4/3 of 1/dt, and with k always. P1 elements; streamline-upwind
-   * Petrov-Galerkin test functions
+   * Giesekus::log_conformation_rate(). k is what the fastest rates of g have
+   * above 1/dt, mostly nothing: the explicit g(L, s^) alone is stable up to 4/3
+   * of 1/dt where it only relaxes, and with k always. The rates are
+   * Giesekus::fastest_relaxation() and |L|/10, about that at which the
+   * conformation turns in strong shear; there k allows steps twice as long.
+   * P1 elements; streamline-upwind Petrov-Galerkin test functions
    *
-   *   v + tau w.grad v,  tau = ((1/lambda + |L|)^2 + (2|w|/h)^2)^(-1/2),
+   *   v + tau w.grad v
    *
-   * h being the element length along w. tau has the rates of the material and
+   * with Giesekus::time_of_change() tau for the crossing rate 2|w|/h, h being
+   * the element length along w. tau has the rates of the material and
    * not that of the step: the solution at a point of time would otherwise
    * depend on the steps that lead to it. The operator is the same for all
    * components, so those with the same signs on identified planes share one

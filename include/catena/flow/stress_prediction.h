@@ -16,12 +16,23 @@ namespace Catena
    *
    *   sigma + p I = 2 beta D + G (c_pred - I),
    *   c_pred = -(a1 c^n + a2 c^(n-1))/a0
-   *            + (dt/a0) [ -w.grad c^ + L c^ + c^ L^T + f(c^) ],
+   *            + (dt/a0) [ L c^ + c^ L^T + f(c^) ] - m w.grad c^
+   *            - (dt/a0 - m) [ L^n c^n + c^n L^nT + f(c^n)
+   *                            - (c^n - c^(n-1))/dt^n ],
    *
    * with the BDF coefficients a, the velocity w = u^ - u_mesh against the
    * mesh, and ^ the extrapolation to the new instant; c^ = exp(s^) stays
    * positive. The tensor viscosity is H = beta I + (G dt/a0) c^: the momentum
    * balance is well posed also without solvent.
+   *
+   * At rest in time this is c + m r, r being what the equation of the
+   * conformation leaves at a point for the P1 field, of the order of the
+   * elements. With m = dt/a0, as published, the last line is none; but the
+   * stress at rest depends on the step then, and long steps are unstable. So m
+   * is at most the time in which the conformation at a point changes, or the
+   * fluid crosses two elements of length h along w,
+   * ((1/lambda + |L^n|)^2 + (|w|/2h)^2)^(-1/2), see Giesekus::time_of_change().
+   * What that changes in the prediction is of second order in time.
    *
    * With little solvent, motions that the continuous P1 stress does not see are
    * held by the part with c^ alone and grow the sooner the smaller the steps
@@ -34,6 +45,17 @@ namespace Catena
   class StressPrediction : public StressModel<dim>
   {
   public:
+    /// Motion of the fluid that the prediction takes as known.
+    struct Motion
+    {
+      /// w at the P2 nodes
+      VectorType convection;
+      /// u at t^n
+      VectorType last_velocity;
+      /// components of D_h^n; without any there is no numerical viscosity
+      std::vector<VectorType> smooth_strain_rate;
+    };
+
     /// Numerical viscosity theta of a fluid: what its solvent has less than
     /// 0.1 eta0.
     static double
@@ -41,9 +63,6 @@ namespace Catena
 
     /**
      * @param log_conformation, old_log_conformation s at t^n and t^(n-1)
-     * @param convection w at the P2 nodes
-     * @param smooth_strain_rate components of D_h^n; without any there is no
-     * numerical viscosity
      *
      * The fields are kept by reference.
      */
@@ -51,8 +70,7 @@ namespace Catena
                      const TimeStep                &step,
                      const std::vector<VectorType> &log_conformation,
                      const std::vector<VectorType> &old_log_conformation,
-                     const VectorType              &convection,
-                     const std::vector<VectorType> &smooth_strain_rate);
+                     const Motion                  &motion);
 
     void
     evaluate(const typename MovingMesh<dim>::Cell &cell,
@@ -70,8 +88,7 @@ namespace Catena
     const TimeStep                 step;
     const std::vector<VectorType> &log_conformation;
     const std::vector<VectorType> &old_log_conformation;
-    const VectorType              &convection;
-    const std::vector<VectorType> &smooth_strain_rate;
+    const Motion                  &motion;
   };
 
 } // namespace Catena

@@ -8,6 +8,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace Catena
@@ -84,6 +85,20 @@ namespace Catena
     for (unsigned int a = 0; a < vectors.size(); ++a)
       gradient += outer_product(vectors[a], point.quadratic_gradient[a]);
     return gradient;
+  }
+
+
+
+  /// 2|w|/h at a point, with the length h of the element along @p w.
+  template <int dim>
+  double
+  crossing_rate(const typename CellValues<dim>::PointValues &point,
+                const dealii::Tensor<1, dim>                &w)
+  {
+    double rate = 0.;
+    for (const auto &gradient : point.linear_gradient)
+      rate += std::abs(w * gradient);
+    return rate;
   }
 } // namespace Catena
 

@@ -123,6 +123,15 @@ namespace Catena
     fastest_relaxation(const SpectralDecomposition<dim> &d) const;
 
     /**
+     * The time in which the conformation changes in the velocity gradient
+     * @p L and in an element that is crossed at the rate r = @p crossing,
+     * @f$ ((1/\lambda + |L|)^2 + r^2)^{-1/2} @f$; in units of 1/gamma.
+     */
+    double
+    time_of_change(const dealii::Tensor<2, dim> &L,
+                   const double                  crossing) const;
+
+    /**
      * The polymer stress tau = G (c - I), in units of eta0 gamma.
      */
     dealii::SymmetricTensor<2, dim>
@@ -250,6 +259,17 @@ namespace Catena
     for (const double s : d.values)
       rate = std::max(rate, (1. - alpha) * std::exp(-s) + alpha * std::exp(s));
     return rate / lambda;
+  }
+
+
+
+  template <int dim>
+  inline double
+  Giesekus<dim>::time_of_change(const dealii::Tensor<2, dim> &L,
+                                const double                  crossing) const
+  {
+    const double rate = 1. / lambda + L.norm();
+    return 1. / std::sqrt(rate * rate + crossing * crossing);
   }
 
 

@@ -3,6 +3,7 @@
 
 #include <catena/flow/flow_solver.h>
 #include <catena/flow/nonlinear_flow_solver.h>
+#include <catena/flow/stress_prediction.h>
 #include <catena/output/run_report.h>
 #include <catena/particles/contacts.h>
 #include <catena/simulation/parameters.h>
@@ -96,13 +97,8 @@ namespace Catena
     /// Of this one the preconditioner was made.
     Instant preconditioner_instant;
 
-    /// Motion of the fluid on which the stress of a viscoelastic fluid depends,
-    /// see StressPrediction.
-    struct Motion
-    {
-      VectorType              convection;
-      std::vector<VectorType> smooth_strain_rate;
-    };
+    /// On which the stress of a viscoelastic fluid depends.
+    using Motion = typename StressPrediction<dim>::Motion;
 
     Motion
     motion(const Level<dim> &next,
