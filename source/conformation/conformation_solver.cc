@@ -15,6 +15,14 @@ namespace Catena
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Rate at which the conformation turns in strong shear, in rates of shear.
+    constexpr double turning_share = 0.1;
+  } // namespace
+
+
+
   void
   ConformationSolverParameters::declare(ParameterHandler &prm)
   {
@@ -185,8 +193,8 @@ namespace Catena
                 point.linear[v] / step.dt * (bdf.a1 * s[v] + bdf.a2 * s_old[v]);
             const double relaxation =
               std::max(0.,
-                       model.fastest_relaxation(spectra[q]) + 0.1 * L.norm() -
-                         1. / step.dt);
+                       model.fastest_relaxation(spectra[q]) +
+                         turning_share * L.norm() - 1. / step.dt);
             SymmetricTensor<2, dim> known =
               history + model.log_conformation_rate(L, spectra[q]) +
               relaxation * extrapolated[q];

@@ -8,6 +8,14 @@ namespace Catena
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// by the fluid, in the time in which the prediction forgets
+    constexpr double n_crossed_elements = 2.;
+  } // namespace
+
+
+
   template <int dim>
   double
   StressPrediction<dim>::numerical_viscosity(const Giesekus<dim> &model)
@@ -50,25 +58,28 @@ namespace Catena
     const auto convections  = node_vectors<dim>(cell, motion.convection);
     const auto u_last       = node_vectors<dim>(cell, motion.last_velocity);
 
+    // at each point s^, s^n and, in a step that has a previous one, s^(n-1)
     const unsigned int                   n_points = values.points().size();
-    std::vector<SymmetricTensor<2, dim>> s_now(n_points), s_before(n_points),
-      s_hat(n_points);
+    std::vector<SymmetricTensor<2, dim>> s_hat(n_points),
+      tensors(has_previous ? 3 * n_points : 2 * n_points);
     for (unsigned int q = 0; q < n_points; ++q)
       {
+        SymmetricTensor<2, dim> s_now, s_before;
         for (unsigned int v = 0; v < MovingMesh<dim>::n_vertices; ++v)
           {
-            s_now[q] += values.points()[q].linear[v] * s[v];
-            s_before[q] += values.points()[q].linear[v] * s_old[v];
+            s_now += values.points()[q].linear[v] * s[v];
+            s_before += values.points()[q].linear[v] * s_old[v];
           }
-        s_hat[q] = extrapolation.b0 * s_now[q] + extrapolation.b1 * s_before[q];
+        s_hat[q]   = extrapolation.b0 * s_now + extrapolation.b1 * s_before;
+        tensors[q] = s_hat[q];
+        tensors[n_points + q] = s_now;
+        if (has_previous)
+          tensors[2 * n_points + q] = s_before;
       }
-    std::vector<SymmetricTensor<2, dim>> c_now, c_before, c_hat;
-    exponentials(s_now, c_now);
-    if (has_previous)
-      exponentials(s_before, c_before);
-    exponentials(s_hat, c_hat);
-    std::vector<SpectralDecomposition<dim>> spectra_hat;
-    spectral_decompositions(s_hat, spectra_hat);
+    std::vector<SymmetricTensor<2, dim>> c;
+    exponentials(tensors, c);
+    std::vector<SpectralDecomposition<dim>> spectra;
+    spectral_decompositions(s_hat, spectra);
 
     const double G = model.modulus(), beta = model.solvent_viscosity();
     const double implicit_time = step.dt / bdf.a0;
@@ -83,28 +94,29 @@ namespace Catena
             (w * point.linear_gradient[v]) *
             (extrapolation.b0 * s[v] + extrapolation.b1 * s_old[v]);
 
-        SymmetricTensor<2, dim> known =
-          -bdf.a1 / bdf.a0 * c_now[q] +
-          implicit_time * model.relaxation(c_hat[q]);
+        const SymmetricTensor<2, dim> &c_hat = c[q], &c_now = c[n_points + q];
+        SymmetricTensor<2, dim>        known =
+          -bdf.a1 / bdf.a0 * c_now + implicit_time * model.relaxation(c_hat);
         double memory = implicit_time;
         if (has_previous)
           {
-            known -= bdf.a2 / bdf.a0 * c_before[q];
+            const SymmetricTensor<2, dim> &c_before = c[2 * n_points + q];
+            known -= bdf.a2 / bdf.a0 * c_before;
+
             const Tensor<2, dim> L = gradient_at<dim>(point, u_last);
-            memory =
-              std::min(memory,
-                       model.time_of_change(L,
-                                            crossing_rate<dim>(point, w) / 4.));
+            const double         crossing =
+              crossing_rate<dim>(point, w) / (2. * n_crossed_elements);
+            memory = std::min(memory, model.time_of_change(L, crossing));
             if (memory < implicit_time)
               known -= (implicit_time - memory) *
-                       (model.conformation_rate(L, c_now[q]) -
-                        (1. / step.previous_dt) * (c_now[q] - c_before[q]));
+                       (model.conformation_rate(L, c_now) -
+                        (1. / step.previous_dt) * (c_now - c_before));
           }
         known -=
-          memory * exponential_derivative<dim>(spectra_hat[q], s_hat_along_w);
+          memory * exponential_derivative<dim>(spectra[q], s_hat_along_w);
 
         coefficients[q].viscosity =
-          beta * identity + (G * implicit_time) * c_hat[q];
+          beta * identity + (G * implicit_time) * c_hat;
         coefficients[q].known_stress = G * (known - identity);
       }
     if (!motion.smooth_strain_rate.empty())

@@ -16,9 +16,9 @@ namespace Catena
 
     using Number = simd::native_simd<double>;
 
-    /// The Taylor polynomial of degree 10 is exact to rounding up to this norm.
+    /// The Taylor polynomial of degree 11 is exact to rounding up to this norm.
     constexpr double taylor_norm = 0.25;
-    /// Beyond, the exponential is not finite.
+    /// Beyond, values are not finite.
     constexpr double largest_norm = 2000.;
 
     /**
@@ -91,12 +91,12 @@ namespace Catena
 
 
 
-    /// The Taylor polynomial of degree 10, by Paterson and Stockmeyer.
+    /// The Taylor polynomial of degree 11, by Paterson and Stockmeyer.
     template <int dim>
     Symmetric<dim>
     taylor(const Symmetric<dim> &x)
     {
-      constexpr std::array<double, 11> c   = {{1.,
+      constexpr std::array<double, 12> c   = {{1.,
                                                1.,
                                                1. / 2.,
                                                1. / 6.,
@@ -106,9 +106,10 @@ namespace Catena
                                                1. / 5040.,
                                                1. / 40320.,
                                                1. / 362880.,
-                                               1. / 3628800.}};
+                                               1. / 3628800.,
+                                               1. / 39916800.}};
       const Symmetric<dim>             x_2 = x * x, x_3 = x_2 * x;
-      Symmetric<dim>                   sum = quadratic(c[9], c[10], 0., x, x_2);
+      Symmetric<dim> sum = quadratic(c[9], c[10], c[11], x, x_2);
       for (int n = 6; n >= 0; n -= 3)
         {
           sum = sum * x_3;
@@ -123,21 +124,28 @@ namespace Catena
     Symmetric<dim>
     exponential(Symmetric<dim> x)
     {
-      const Number squares = x.square();
-      double       norm    = 0.;
+      const Number squares     = x.square();
+      Number       n_squarings = 0., scale = 1.;
       for (unsigned int lane = 0; lane < Number::size(); ++lane)
-        norm = std::max(norm, std::sqrt(squares[lane]));
-      int n_squarings = 0;
-      if (norm > taylor_norm)
-        n_squarings =
-          std::ilogb(std::min(norm, largest_norm) / taylor_norm) + 1;
-      const double scale = std::ldexp(1., -n_squarings);
+        {
+          const double norm = std::sqrt(squares[lane]);
+          if (norm > taylor_norm)
+            n_squarings[lane] =
+              std::ilogb(std::min(norm, largest_norm) / taylor_norm) + 1;
+          scale[lane] = std::ldexp(1., -static_cast<int>(n_squarings[lane]));
+        }
       for (int i = 0; i < dim; ++i)
         for (int j = i; j < dim; ++j)
           x.a[i][j] *= scale;
+
       Symmetric<dim> result = taylor(x);
-      for (int n = 0; n < n_squarings; ++n)
-        result = result * result;
+      for (int n = 0; any_of(n_squarings > n); ++n)
+        {
+          const Symmetric<dim> squared = result * result;
+          for (int i = 0; i < dim; ++i)
+            for (int j = i; j < dim; ++j)
+              where(n_squarings > n, result.a[i][j]) = squared.a[i][j];
+        }
       return result;
     }
   } // namespace
@@ -147,9 +155,9 @@ namespace Catena
   template <int dim>
   void
   exponentials(const std::vector<SymmetricTensor<2, dim>> &tensors,
-               std::vector<SymmetricTensor<2, dim>>       &exponentials)
+               std::vector<SymmetricTensor<2, dim>>       &results)
   {
-    exponentials.resize(tensors.size());
+    results.resize(tensors.size());
     for (std::size_t first = 0; first < tensors.size(); first += Number::size())
       {
         Symmetric<dim> x;
@@ -167,7 +175,7 @@ namespace Catena
              ++lane)
           for (unsigned int i = 0; i < dim; ++i)
             for (unsigned int j = i; j < dim; ++j)
-              exponentials[first + lane][i][j] = c.a[i][j][lane];
+              results[first + lane][i][j] = c.a[i][j][lane];
       }
   }
 

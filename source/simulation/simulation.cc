@@ -7,6 +7,7 @@
 #include <catena/simulation/simulation.h>
 #include <catena/simulation/step_error.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -140,21 +141,22 @@ namespace Catena
 
 
   /**
-   * The wanted step, but not over an instant at which something is due: the
-   * last steps before it share what is left, the more of them the less they
-   * are shortened; constant ones stay so up to the last two.
+   * The wanted step, but not over an instant at which something is due: what is
+   * left until then is divided evenly among the last steps. These are ten where
+   * steps are controlled, so that each is hardly shortened, and two of constant
+   * ones, so that the others keep their length.
    */
   template <int dim>
   double
   Simulation<dim>::next_dt() const
   {
-    const double n_last_steps =
-      parameters.step_control.tolerance > 0. ? 10. : 2.;
-    const double now    = state.now.time;
-    const double left   = protocol.next_instant(now) - now;
-    const double wanted = step_control.next_step();
-    const double n_left = std::ceil(left / wanted - 1e-3);
-    return n_left > n_last_steps ? wanted : left / n_left;
+    constexpr double rounding = 1e-3;
+    const double     n_last = parameters.step_control.tolerance > 0. ? 10. : 2.;
+    const double     now    = state.now.time;
+    const double     left   = protocol.next_instant(now) - now;
+    const double     wanted = step_control.next_step();
+    const double     n_left = std::max(1., std::ceil(left / wanted - rounding));
+    return n_left > n_last ? wanted : left / n_left;
   }
 
 

@@ -46,13 +46,13 @@ namespace Catena
    *   (a0 s + a1 s^n + a2 s^(n-1))/dt + w.grad s = g(L, s^) - k (s - s^),
    *
    * with w = u - u_mesh, L the gradient of the new velocity, s^ the
-   * extrapolation from the last two levels, and g the rate of
-   * Giesekus::log_conformation_rate(). k is what the fastest rates of g have
-   * above 1/dt, mostly nothing: the explicit g(L, s^) alone is stable up to 4/3
-   * of 1/dt where it only relaxes, and with k always. The rates are
-   * Giesekus::fastest_relaxation() and |L|/10, about that at which the
-   * conformation turns in strong shear; there k allows steps twice as long.
-   * P1 elements; streamline-upwind Petrov-Galerkin test functions
+   * extrapolation from the last two levels, g the rate of
+   * Giesekus::log_conformation_rate(), and k = max(0, r - 1/dt), mostly nothing,
+   * with r = Giesekus::fastest_relaxation() + |L|/10. Where the conformation only
+   * relaxes, the explicit g(L, s^) alone is stable for rates up to 4/3 of 1/dt,
+   * and with k for all; |L|/10 is about the rate at which it turns in strong
+   * shear, and with k steps can be twice as long there. P1 elements;
+   * streamline-upwind Petrov-Galerkin test functions
    *
    *   v + tau w.grad v
    *

@@ -21,18 +21,20 @@ namespace Catena
    *                            - (c^n - c^(n-1))/dt^n ],
    *
    * with the BDF coefficients a, the velocity w = u^ - u_mesh against the
-   * mesh, and ^ the extrapolation to the new instant; c^ = exp(s^) stays
-   * positive. The tensor viscosity is H = beta I + (G dt/a0) c^: the momentum
-   * balance is well posed also without solvent.
+   * mesh, ^ the extrapolation to the new instant, dt^n = t^n - t^(n-1), and L^n
+   * the gradient of u^n on the mesh as it is at the new instant; c^ = exp(s^)
+   * stays positive. The tensor viscosity is H = beta I + (G dt/a0) c^: the
+   * momentum balance is well posed also without solvent.
    *
    * At rest in time this is c + m r, r being what the equation of the
    * conformation leaves at a point for the P1 field, of the order of the
-   * elements. With m = dt/a0, as published, the last line is none; but the
+   * elements. With m = dt/a0, as published, the last line vanishes; but the
    * stress at rest depends on the step then, and long steps are unstable. So m
    * is at most the time in which the conformation at a point changes, or the
    * fluid crosses two elements of length h along w,
    * ((1/lambda + |L^n|)^2 + (|w|/2h)^2)^(-1/2), see Giesekus::time_of_change().
-   * What that changes in the prediction is of second order in time.
+   * What that changes in the prediction is of second order in time. In a step
+   * without a previous one m = dt/a0.
    *
    * With little solvent, motions that the continuous P1 stress does not see are
    * held by the part with c^ alone and grow the sooner the smaller the steps
@@ -63,8 +65,9 @@ namespace Catena
 
     /**
      * @param log_conformation, old_log_conformation s at t^n and t^(n-1)
+     * @param motion see Motion
      *
-     * The fields are kept by reference.
+     * The fields and the motion are kept by reference.
      */
     StressPrediction(const Giesekus<dim>           &model,
                      const TimeStep                &step,
