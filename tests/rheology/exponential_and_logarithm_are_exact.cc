@@ -144,7 +144,7 @@ test(Catena::Tests::Claims &claims)
   claims.at_most(name + "the derivative of log is exact", inverse_error, 16.);
   claims.at_most(name + "the references agree", reference_error, 1e-30);
 
-  // some at once, more than a register takes, one of them without a result
+  // some at once, more than a register takes, two of them without a result
   std::vector<dealii::SymmetricTensor<2, dim>> some(11), results;
   for (auto &s : some)
     s = Reference::random_symmetric<dim>(generator);
