@@ -2,6 +2,7 @@
 #include <catena/flow/earlier_solutions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -59,6 +60,7 @@ namespace Catena
   void
   EarlierSolutions<dim>::improve(const FlowOperator<dim> &system,
                                  const BlockVectorType   &rhs,
+                                 const double             wanted,
                                  BlockVectorType         &guess) const
   {
     if (solutions.empty())
@@ -66,13 +68,16 @@ namespace Catena
     BlockVectorType residual(rhs);
     system.vmult(residual, guess);
     residual.sadd(-1., 1., rhs);
-    const double smallest_image = smallest_share * residual.l2_norm();
+    double       norm           = residual.l2_norm();
+    const double smallest_image = smallest_share * norm;
 
     // directions whose images under A are orthonormal
     const BlockVectorType        first_guess = guess;
     std::vector<BlockVectorType> directions, images;
     for (const BlockVectorType &solution : solutions)
       {
+        if (norm <= wanted)
+          return;
         BlockVectorType direction(guess), image(guess);
         direction = 0.;
         for (unsigned int b = 0;
@@ -97,7 +102,7 @@ namespace Catena
         direction *= 1. / remainder;
 
         const double alpha = residual * image;
-        residual.add(-alpha, image);
+        norm = std::sqrt(residual.add_and_dot(-alpha, image, residual));
         guess.add(alpha, direction);
         directions.push_back(std::move(direction));
         images.push_back(std::move(image));

@@ -56,6 +56,9 @@ namespace Catena
     /// by one solution in single precision: of the residual, and what a useful
     /// one gives at least
     constexpr double largest_reduction = 1e-6, smallest_progress = 0.5;
+
+    /// of the wanted residual, what single precision aims at
+    constexpr double solver_share = 0.9;
   } // namespace
 
 
@@ -214,17 +217,22 @@ namespace Catena
       residual.sadd(-1., 1., rhs);
       return residual.l2_norm();
     };
-    const bool is_of_an_instant = wanted_residual == 0.;
+    const bool   is_of_an_instant = wanted_residual == 0.;
+    const double wanted           = target(rhs);
     if (is_of_an_instant)
-      earlier_solutions.improve(fast_system, rhs, solution);
+      earlier_solutions.improve(fast_system,
+                                rhs,
+                                solver_share * wanted,
+                                solution);
     double norm = find_residual();
 
-    const double first_norm = norm, wanted = target(rhs);
+    const double first_norm = norm;
     unsigned int iterations = 0;
     while (!(norm <= wanted))
       {
         SolverControl control(parameters.max_iterations - iterations,
-                              std::max(0.9 * wanted, largest_reduction * norm));
+                              std::max(solver_share * wanted,
+                                       largest_reduction * norm));
         typename SolverFGMRES<BlockVectorType>::AdditionalData data(100);
         correction = 0.;
         try

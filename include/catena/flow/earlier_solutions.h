@@ -20,7 +20,8 @@ namespace Catena
    * as good as every extrapolation in time through these solutions, but for
    * directions that would change the residual by less than a thousandth of it,
    * and costs one product with A for each. Contact forces take part where there
-   * are as many contacts as there were.
+   * are as many contacts as there were. The newest come first, and no more take
+   * part than it needs for a residual that is small enough.
    */
   template <int dim>
   class EarlierSolutions
@@ -38,9 +39,11 @@ namespace Catena
     void
     remember(const BlockVectorType &solution);
 
+    /// @param wanted residual that is small enough
     void
     improve(const FlowOperator<dim> &system,
             const BlockVectorType   &rhs,
+            const double             wanted,
             BlockVectorType         &guess) const;
 
     /// Makes a vector with the blocks of a solution with that many contacts.
