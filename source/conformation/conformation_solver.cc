@@ -19,6 +19,27 @@ namespace Catena
   {
     /// Rate at which the conformation turns in strong shear, in rates of shear.
     constexpr double turning_share = 0.1;
+
+    /// @p known += the source at the points of @p pack.
+    template <int dim>
+    void
+    add_source(const typename ConformationSolver<dim>::Source &source,
+               const CellValues<dim>                          &values,
+               const typename CellValues<dim>::PackValues     &pack,
+               const typename CellValues<dim>::NodePositions  &positions,
+               SymmetricTensor<2, dim, Pack>                  &known)
+    {
+      for (unsigned int lane = 0; lane < pack.n_points; ++lane)
+        {
+          Point<dim> x;
+          for (unsigned int a = 0; a < positions.size(); ++a)
+            x += values.points()[pack.first + lane].quadratic[a] *
+                 Tensor<1, dim>(positions[a]);
+          const SymmetricTensor<2, dim> value = source(x);
+          for (unsigned int k = 0; k < n_symmetric_components(dim); ++k)
+            known.access_raw_entry(k)[lane] += value.access_raw_entry(k);
+        }
+    }
   } // namespace
 
 
@@ -143,7 +164,6 @@ namespace Catena
                                     const TimeStep   &step,
                                     const Source     &source)
   {
-    constexpr unsigned int n_nodes       = MovingMesh<dim>::n_nodes;
     constexpr unsigned int n_vertices    = MovingMesh<dim>::n_vertices;
     const BdfCoefficients  bdf           = step.bdf();
     const TwoLevelWeights  extrapolation = step.extrapolation();
@@ -155,72 +175,73 @@ namespace Catena
           rhs = 0.;
       }
 
-    CellValues<dim>                         values;
-    std::vector<SymmetricTensor<2, dim>>    extrapolated;
-    std::vector<SpectralDecomposition<dim>> spectra;
+    CellValues<dim> values;
     for (unsigned int c = 0; c < mesh->cells().size(); ++c)
       {
         const auto &cell      = mesh->cells()[c];
         const auto  positions = mesh->cell_positions(cell, mesh->positions());
         values.reinit(positions, cell.curved);
-        const unsigned int n_points = values.points().size();
-        const auto         s        = vertex_tensors<dim>(cell, old);
-        const auto         s_old    = vertex_tensors<dim>(cell, older);
-        const auto         u        = node_vectors<dim>(cell, velocity);
-        auto against_mesh           = node_vectors<dim>(cell, mesh_velocity);
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          against_mesh[a] = u[a] - against_mesh[a];
+        const auto s            = vertex_tensors<dim>(cell, old);
+        const auto s_old        = vertex_tensors<dim>(cell, older);
+        const auto u            = node_vectors<dim>(cell, velocity);
+        auto       against_mesh = u;
+        against_mesh.add(-1., node_vectors<dim>(cell, mesh_velocity));
 
-        extrapolated.assign(n_points, SymmetricTensor<2, dim>());
-        for (unsigned int q = 0; q < n_points; ++q)
-          for (unsigned int v = 0; v < n_vertices; ++v)
-            extrapolated[q] +=
-              values.points()[q].linear[v] *
-              (extrapolation.b0 * s[v] + extrapolation.b1 * s_old[v]);
-        spectral_decompositions(extrapolated, spectra);
-
-        std::array<std::array<double, n_vertices>, n_vertices> matrix{};
-        std::array<SymmetricTensor<2, dim>, n_vertices>        rhs;
-        for (unsigned int q = 0; q < n_points; ++q)
+        auto s_extrapolated = s, s_history = s;
+        for (unsigned int v = 0; v < n_vertices; ++v)
           {
-            const auto          &point = values.points()[q];
-            const Tensor<1, dim> w     = value_at<dim>(point, against_mesh);
-            const Tensor<2, dim> L     = gradient_at<dim>(point, u);
+            s_extrapolated[v] =
+              extrapolation.b0 * s[v] + extrapolation.b1 * s_old[v];
+            s_history[v] =
+              (-1. / step.dt) * (bdf.a1 * s[v] + bdf.a2 * s_old[v]);
+          }
 
-            SymmetricTensor<2, dim> history;
-            for (unsigned int v = 0; v < n_vertices; ++v)
-              history -=
-                point.linear[v] / step.dt * (bdf.a1 * s[v] + bdf.a2 * s_old[v]);
-            const double relaxation =
-              std::max(0.,
-                       model.fastest_relaxation(spectra[q]) +
-                         turning_share * L.norm() - 1. / step.dt);
-            SymmetricTensor<2, dim> known =
-              history + model.log_conformation_rate(L, spectra[q]) +
-              relaxation * extrapolated[q];
+        std::array<std::array<Pack, n_vertices>, n_vertices>  matrix_packs{};
+        std::array<SymmetricTensor<2, dim, Pack>, n_vertices> rhs_packs;
+        for (const auto &pack : values.packs())
+          {
+            const auto w        = values_at<dim>(values, pack, against_mesh);
+            const auto L        = gradients_at<dim>(values, pack, u);
+            const auto s_hat    = interpolate<dim>(pack, s_extrapolated);
+            const auto spectrum = spectral_decomposition(s_hat);
+
+            const Pack relaxation =
+              max(Pack(0.),
+                  model.fastest_relaxation(spectrum) +
+                    turning_share * frobenius_norm(L) - 1. / step.dt);
+            auto known = interpolate<dim>(pack, s_history) +
+                         model.log_conformation_rate(L, spectrum) +
+                         relaxation * s_hat;
             if (source)
-              {
-                Point<dim> x;
-                for (unsigned int a = 0; a < n_nodes; ++a)
-                  x += point.quadratic[a] * Tensor<1, dim>(positions[a]);
-                known += source(x);
-              }
+              add_source(source, values, pack, positions, known);
 
-            std::array<double, n_vertices> along_w;
+            std::array<Pack, n_vertices> along_w;
             for (unsigned int v = 0; v < n_vertices; ++v)
-              along_w[v] = w * point.linear_gradient[v];
-            const double tau =
-              model.time_of_change(L, crossing_rate<dim>(point, w));
-            const double rate = bdf.a0 / step.dt + relaxation;
+              along_w[v] = w * pack.linear_gradient[v];
+            const Pack tau =
+              model.time_of_change(L, crossing_rate<dim>(pack, w));
+            const Pack rate = bdf.a0 / step.dt + relaxation;
 
             for (unsigned int v = 0; v < n_vertices; ++v)
               {
-                const double test =
-                  point.JxW * (point.linear[v] + tau * along_w[v]);
-                rhs[v] += test * known;
+                const Pack test =
+                  pack.JxW * (pack.linear[v] + tau * along_w[v]);
+                rhs_packs[v] += test * known;
                 for (unsigned int u = 0; u < n_vertices; ++u)
-                  matrix[v][u] += test * (rate * point.linear[u] + along_w[u]);
+                  matrix_packs[v][u] +=
+                    test * (rate * pack.linear[u] + along_w[u]);
               }
+          }
+
+        std::array<std::array<double, n_vertices>, n_vertices> matrix;
+        std::array<SymmetricTensor<2, dim>, n_vertices>        rhs;
+        for (unsigned int v = 0; v < n_vertices; ++v)
+          {
+            for (unsigned int u = 0; u < n_vertices; ++u)
+              matrix[v][u] = reduce(matrix_packs[v][u]);
+            for (unsigned int k = 0; k < n_components; ++k)
+              rhs[v].access_raw_entry(k) =
+                reduce(rhs_packs[v].access_raw_entry(k));
           }
 
         for (const auto &group : groups)

@@ -112,8 +112,8 @@ namespace Catena
             const NodeCoupling<dim> &node = *element.couplings[b];
             if (!node.has_unknown())
               continue;
-            const Tensor<1, dim> &value  = element.divergence[v][b];
-            const auto            add_to = [&](double *block) {
+            const Tensor<1, dim> value  = element.divergence[v][b];
+            const auto           add_to = [&](double *block) {
               for (unsigned int j = 0; j < dim; ++j)
                 block[j] += value[j] * node.factors[j];
             };

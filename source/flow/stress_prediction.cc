@@ -1,6 +1,5 @@
 #include <catena/flow/stress_prediction.h>
-#include <catena/rheology/exponentials.h>
-#include <catena/rheology/spectral.h>
+#include <catena/rheology/exponential.h>
 
 #include <algorithm>
 
@@ -49,75 +48,58 @@ namespace Catena
     const CellValues<dim>                &values,
     std::vector<StressCoefficients<dim>> &coefficients) const
   {
+    using Tensors = SymmetricTensor<2, dim, Pack>;
+
     const BdfCoefficients bdf           = step.bdf();
     const TwoLevelWeights extrapolation = step.extrapolation();
-    const bool            has_previous  = step.has_previous();
+    const double          implicit_time = step.dt / bdf.a0;
+    const double          G = model.modulus(), beta = model.solvent_viscosity();
+    const auto            identity = unit_symmetric_tensor<dim, Pack>();
     const auto            s = vertex_tensors<dim>(cell, log_conformation);
     const auto s_old        = vertex_tensors<dim>(cell, old_log_conformation);
-    const auto identity     = unit_symmetric_tensor<dim>();
     const auto convections  = node_vectors<dim>(cell, motion.convection);
     const auto u_last       = node_vectors<dim>(cell, motion.last_velocity);
 
-    // at each point s^, s^n and, in a step that has a previous one, s^(n-1)
-    const unsigned int                   n_points = values.points().size();
-    std::vector<SymmetricTensor<2, dim>> s_hat(n_points),
-      tensors(has_previous ? 3 * n_points : 2 * n_points);
-    for (unsigned int q = 0; q < n_points; ++q)
+    auto s_extrapolated = s;
+    for (unsigned int v = 0; v < s.size(); ++v)
+      s_extrapolated[v] = extrapolation.b0 * s[v] + extrapolation.b1 * s_old[v];
+
+    coefficients.resize(values.points().size());
+    for (const auto &pack : values.packs())
       {
-        SymmetricTensor<2, dim> s_now, s_before;
-        for (unsigned int v = 0; v < MovingMesh<dim>::n_vertices; ++v)
+        const auto w = values_at<dim>(values, pack, convections);
+        // the other of the two is (w . grad) c^
+        const auto [c_hat, c_hat_along_w] =
+          exponential(interpolate<dim>(pack, s_extrapolated),
+                      derivative_along<dim>(pack, w, s_extrapolated));
+        const Tensors c_now = exponential(interpolate<dim>(pack, s));
+
+        Tensors known =
+          (-bdf.a1 / bdf.a0) * c_now + implicit_time * model.relaxation(c_hat);
+        Pack memory = implicit_time;
+        if (step.has_previous())
           {
-            s_now += values.points()[q].linear[v] * s[v];
-            s_before += values.points()[q].linear[v] * s_old[v];
-          }
-        s_hat[q]   = extrapolation.b0 * s_now + extrapolation.b1 * s_before;
-        tensors[q] = s_hat[q];
-        tensors[n_points + q] = s_now;
-        if (has_previous)
-          tensors[2 * n_points + q] = s_before;
-      }
-    std::vector<SymmetricTensor<2, dim>> c;
-    exponentials(tensors, c);
-    std::vector<SpectralDecomposition<dim>> spectra;
-    spectral_decompositions(s_hat, spectra);
+            const Tensors c_before = exponential(interpolate<dim>(pack, s_old));
+            known -= (bdf.a2 / bdf.a0) * c_before;
 
-    const double G = model.modulus(), beta = model.solvent_viscosity();
-    const double implicit_time = step.dt / bdf.a0;
-    coefficients.resize(n_points);
-    for (unsigned int q = 0; q < n_points; ++q)
-      {
-        const auto             &point = values.points()[q];
-        const Tensor<1, dim>    w     = value_at<dim>(point, convections);
-        SymmetricTensor<2, dim> s_hat_along_w;
-        for (unsigned int v = 0; v < MovingMesh<dim>::n_vertices; ++v)
-          s_hat_along_w +=
-            (w * point.linear_gradient[v]) *
-            (extrapolation.b0 * s[v] + extrapolation.b1 * s_old[v]);
-
-        const SymmetricTensor<2, dim> &c_hat = c[q], &c_now = c[n_points + q];
-        SymmetricTensor<2, dim>        known =
-          -bdf.a1 / bdf.a0 * c_now + implicit_time * model.relaxation(c_hat);
-        double memory = implicit_time;
-        if (has_previous)
-          {
-            const SymmetricTensor<2, dim> &c_before = c[2 * n_points + q];
-            known -= bdf.a2 / bdf.a0 * c_before;
-
-            const Tensor<2, dim> L = gradient_at<dim>(point, u_last);
-            const double         crossing =
-              crossing_rate<dim>(point, w) / (2. * n_crossed_elements);
-            memory = std::min(memory, model.time_of_change(L, crossing));
-            if (memory < implicit_time)
+            const auto L = gradients_at<dim>(values, pack, u_last);
+            const Pack crossing =
+              crossing_rate<dim>(pack, w) / (2. * n_crossed_elements);
+            memory = min(memory, model.time_of_change(L, crossing));
+            if (any_of(memory < implicit_time))
               known -= (implicit_time - memory) *
                        (model.conformation_rate(L, c_now) -
                         (1. / step.previous_dt) * (c_now - c_before));
           }
-        known -=
-          memory * exponential_derivative<dim>(spectra[q], s_hat_along_w);
+        known -= memory * c_hat_along_w;
 
-        coefficients[q].viscosity =
-          beta * identity + (G * implicit_time) * c_hat;
-        coefficients[q].known_stress = G * (known - identity);
+        const Tensors viscosity = beta * identity + (G * implicit_time) * c_hat,
+                      stress    = G * (known - identity);
+        for (unsigned int k = 0; k < pack.n_points; ++k)
+          {
+            coefficients[pack.first + k].viscosity    = lane<dim>(viscosity, k);
+            coefficients[pack.first + k].known_stress = lane<dim>(stress, k);
+          }
       }
     if (!motion.smooth_strain_rate.empty())
       add_numerical_viscosity(cell, values, coefficients);

@@ -4,6 +4,8 @@
 
 #include <deal.II/fe/fe_simplex_p.h>
 
+#include <algorithm>
+
 namespace Catena
 {
   using namespace dealii;
@@ -22,14 +24,53 @@ namespace Catena
         reference[q].weight = quadrature.weight(q);
         for (unsigned int i = 0; i < n_nodes; ++i)
           {
-            values[q].quadratic[i]             = quadratic.shape_value(i, p);
-            reference[q].quadratic_gradient[i] = quadratic.shape_grad(i, p);
+            values[q].quadratic.set(i, quadratic.shape_value(i, p));
+            reference[q].quadratic_gradient.set(i, quadratic.shape_grad(i, p));
           }
         for (unsigned int i = 0; i < n_vertices; ++i)
           {
             values[q].linear[i]             = linear.shape_value(i, p);
             reference[q].linear_gradient[i] = linear.shape_grad(i, p);
           }
+      }
+
+    packs.resize((values.size() + pack_size - 1) / pack_size);
+    for (unsigned int k = 0; k < packs.size(); ++k)
+      {
+        PackValues &pack = packs[k];
+        pack.first       = k * pack_size;
+        pack.n_points =
+          std::min<unsigned int>(pack_size, values.size() - pack.first);
+        for (unsigned int lane = 0; lane < pack_size; ++lane)
+          for (unsigned int v = 0; v < n_vertices; ++v)
+            pack.linear[v][lane] =
+              values[pack.first + std::min(lane, pack.n_points - 1)].linear[v];
+      }
+  }
+
+
+
+  /// What depends on the cell. Straight cells have the same gradients
+  /// everywhere.
+  template <int dim>
+  void
+  CellValues<dim>::Rule::update_packs(const bool curved)
+  {
+    for (PackValues &pack : packs)
+      {
+        const auto point = [&](const unsigned int lane) -> const PointValues & {
+          return values[pack.first + std::min(lane, pack.n_points - 1)];
+        };
+        pack.JxW = Pack([&](const unsigned int lane) {
+          return lane < pack.n_points ? point(lane).JxW : 0.;
+        });
+        for (unsigned int v = 0; v < n_vertices; ++v)
+          for (unsigned int d = 0; d < dim; ++d)
+            pack.linear_gradient[v][d] =
+              curved ? Pack([&](const unsigned int lane) {
+                return point(lane).linear_gradient[v][d];
+              }) :
+                       Pack(values[0].linear_gradient[v][d]);
       }
   }
 
@@ -58,7 +99,12 @@ namespace Catena
   CellValues<dim>::reinit(const NodePositions &positions, const bool curved)
   {
     Rule &rule = curved ? curved_rule : straight_rule;
-    active     = &rule.values;
+    active     = &rule;
+
+    NodeVectors<dim> nodes;
+    if (curved)
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        nodes.set(i, positions[i]);
 
     Tensor<2, dim> inverse_transposed;
     double         determinant_j = 0.;
@@ -69,9 +115,10 @@ namespace Catena
           {
             Tensor<2, dim> jacobian;
             if (curved)
-              for (unsigned int i = 0; i < n_nodes; ++i)
-                jacobian += outer_product(Tensor<1, dim>(positions[i]),
-                                          reference.quadratic_gradient[i]);
+              for (unsigned int i = 0; i < dim; ++i)
+                for (unsigned int j = 0; j < dim; ++j)
+                  jacobian[i][j] = nodes.components[i] *
+                                   reference.quadratic_gradient.components[j];
             else
               for (unsigned int i = 0; i < n_vertices; ++i)
                 jacobian += outer_product(Tensor<1, dim>(positions[i]),
@@ -80,11 +127,11 @@ namespace Catena
             inverse_transposed = transpose(invert(jacobian));
           }
 
-        PointValues &values = rule.values[q];
-        values.JxW          = reference.weight * determinant_j;
-        for (unsigned int i = 0; i < n_nodes; ++i)
-          values.quadratic_gradient[i] =
-            inverse_transposed * reference.quadratic_gradient[i];
+        PointValues &values       = rule.values[q];
+        values.JxW                = reference.weight * determinant_j;
+        values.quadratic_gradient = {};
+        values.quadratic_gradient.add_product(inverse_transposed,
+                                              reference.quadratic_gradient);
         if (curved || q == 0)
           for (unsigned int i = 0; i < n_vertices; ++i)
             values.linear_gradient[i] =
@@ -92,6 +139,7 @@ namespace Catena
         else
           values.linear_gradient = rule.values[0].linear_gradient;
       }
+    rule.update_packs(curved);
   }
 
 

@@ -1,10 +1,7 @@
 #include <catena/base/exceptions.h>
 #include <catena/rheology/spectral.h>
 
-#include <algorithm>
 #include <limits>
-
-#include <experimental/simd>
 
 namespace Catena
 {
@@ -13,6 +10,35 @@ namespace Catena
   namespace
   {
     namespace simd = std::experimental;
+
+    /// A number by itself, with the functions of packs.
+    using Single = simd::simd<double, simd::simd_abi::scalar>;
+
+    inline Single
+    to_lanes(const double x)
+    {
+      return x;
+    }
+
+    inline Pack
+    to_lanes(const Pack &x)
+    {
+      return x;
+    }
+
+    inline double
+    from_lanes(const Single &x)
+    {
+      return x[0];
+    }
+
+    inline Pack
+    from_lanes(const Pack &x)
+    {
+      return x;
+    }
+
+
 
     /**
      * Symmetric tensors on their way to diagonal form, one in each lane of
@@ -23,15 +49,6 @@ namespace Catena
     {
       Number a[dim][dim];
       Number r[dim][dim];
-
-      /// Takes a tensor into a lane.
-      void
-      set(const unsigned int lane, const SymmetricTensor<2, dim> &s)
-      {
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int j = 0; j < dim; ++j)
-            a[i][j][lane] = s[i][j];
-      }
 
       /// Rotate the plane (p, q) so that a[p][q], p < q, becomes zero where
       /// that changes an eigenvalue or an eigenvector beyond rounding, judged
@@ -115,68 +132,42 @@ namespace Catena
           where(!isfinite(square), a[i][i]) =
             std::numeric_limits<double>::quiet_NaN();
       }
-
-      SpectralDecomposition<dim>
-      result(const unsigned int lane) const
-      {
-        SpectralDecomposition<dim> d;
-        for (unsigned int i = 0; i < dim; ++i)
-          {
-            d.values[i] = a[i][i][lane];
-            for (unsigned int j = 0; j < dim; ++j)
-              d.vectors[i][j] = r[i][j][lane];
-          }
-        return d;
-      }
     };
   } // namespace
 
 
 
-  template <int dim>
-  SpectralDecomposition<dim>
-  spectral_decomposition(const SymmetricTensor<2, dim> &s)
+  template <int dim, typename Number>
+  SpectralDecomposition<dim, Number>
+  spectral_decomposition(const SymmetricTensor<2, dim, Number> &s)
   {
-    Jacobi<dim, simd::simd<double, simd::simd_abi::scalar>> jacobi;
-    jacobi.set(0, s);
+    Jacobi<dim, decltype(to_lanes(Number()))> jacobi;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        jacobi.a[i][j] = to_lanes(s[i][j]);
     jacobi.diagonalize();
-    return jacobi.result(0);
-  }
 
-
-
-  template <int dim>
-  void
-  spectral_decompositions(const std::vector<SymmetricTensor<2, dim>> &tensors,
-                          std::vector<SpectralDecomposition<dim>>    &spectra)
-  {
-    using Lanes = simd::native_simd<double>;
-    spectra.resize(tensors.size());
-    for (std::size_t first = 0; first < tensors.size(); first += Lanes::size())
+    SpectralDecomposition<dim, Number> d;
+    for (unsigned int i = 0; i < dim; ++i)
       {
-        Jacobi<dim, Lanes> jacobi;
-        // the last tensor also fills the lanes that are left
-        for (unsigned int lane = 0; lane < Lanes::size(); ++lane)
-          jacobi.set(lane, tensors[std::min(first + lane, tensors.size() - 1)]);
-        jacobi.diagonalize();
-        for (unsigned int lane = 0;
-             lane < Lanes::size() && first + lane < tensors.size();
-             ++lane)
-          spectra[first + lane] = jacobi.result(lane);
+        d.values[i] = from_lanes(jacobi.a[i][i]);
+        for (unsigned int j = 0; j < dim; ++j)
+          d.vectors[i][j] = from_lanes(jacobi.r[i][j]);
       }
+    return d;
   }
 
 
 
-  template <int dim>
-  SymmetricTensor<2, dim>
-  compose(const SpectralDecomposition<dim> &d)
+  template <int dim, typename Number>
+  SymmetricTensor<2, dim, Number>
+  compose(const SpectralDecomposition<dim, Number> &d)
   {
-    SymmetricTensor<2, dim> s;
+    SymmetricTensor<2, dim, Number> s;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = i; j < dim; ++j)
         {
-          double sum = 0.;
+          Number sum = 0.;
           for (unsigned int k = 0; k < dim; ++k)
             sum += d.values[k] * d.vectors[i][k] * d.vectors[j][k];
           s[i][j] = sum;
@@ -186,13 +177,14 @@ namespace Catena
 
 
 
-  template <int dim>
-  SymmetricTensor<2, dim>
-  exponential(const SpectralDecomposition<dim> &d)
+  template <int dim, typename Number>
+  SymmetricTensor<2, dim, Number>
+  exponential(const SpectralDecomposition<dim, Number> &d)
   {
-    SpectralDecomposition<dim> c = d;
-    for (double &value : c.values)
-      value = std::exp(value);
+    using std::exp;
+    SpectralDecomposition<dim, Number> c = d;
+    for (Number &value : c.values)
+      value = exp(value);
     return compose(c);
   }
 
@@ -228,34 +220,40 @@ namespace Catena
      * The divided difference (e^{s_i} - e^{s_j})/(s_i - s_j) of the
      * exponential, from the exponentials of half the arguments.
      */
-    inline double
-    divided_difference(const double s_i,
-                       const double s_j,
-                       const double root_i,
-                       const double root_j)
+    template <typename Number>
+    inline Number
+    divided_difference(const Number &s_i,
+                       const Number &s_j,
+                       const Number &root_i,
+                       const Number &root_j)
     {
-      if (std::abs(s_i - s_j) <= 1.)
-        return root_i * root_j * sinh_quotient_series(0.5 * (s_i - s_j));
-      return (root_i * root_i - root_j * root_j) / (s_i - s_j);
+      using std::abs;
+      const Number difference = s_i - s_j;
+      const auto   is_small   = abs(difference) <= 1.;
+      return select(is_small,
+                    root_i * root_j * sinh_quotient_series(0.5 * difference),
+                    (root_i * root_i - root_j * root_j) /
+                      select(is_small, Number(1.), difference));
     }
 
 
 
-    template <int dim>
-    SymmetricTensor<2, dim>
-    derivative(const SpectralDecomposition<dim> &d,
-               const SymmetricTensor<2, dim>    &direction,
-               const bool                        of_logarithm)
+    template <int dim, typename Number>
+    SymmetricTensor<2, dim, Number>
+    derivative(const SpectralDecomposition<dim, Number> &d,
+               const SymmetricTensor<2, dim, Number>    &direction,
+               const bool                                of_logarithm)
     {
-      std::array<double, dim> roots;
+      using std::exp;
+      std::array<Number, dim> roots;
       for (unsigned int i = 0; i < dim; ++i)
-        roots[i] = std::exp(0.5 * d.values[i]);
+        roots[i] = exp(0.5 * d.values[i]);
 
-      Tensor<2, dim> h = to_frame(Tensor<2, dim>(direction), d.vectors);
+      auto h = to_frame(Tensor<2, dim, Number>(direction), d.vectors);
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int j = i; j < dim; ++j)
           {
-            const double factor =
+            const Number factor =
               divided_difference(d.values[i], d.values[j], roots[i], roots[j]);
             h[i][j] *= (of_logarithm ? 1. / factor : factor);
           }
@@ -265,59 +263,77 @@ namespace Catena
 
 
 
-  template <int dim>
-  SymmetricTensor<2, dim>
-  exponential_derivative(const SpectralDecomposition<dim> &d,
-                         const SymmetricTensor<2, dim>    &direction)
+  template <int dim, typename Number>
+  SymmetricTensor<2, dim, Number>
+  exponential_derivative(const SpectralDecomposition<dim, Number> &d,
+                         const SymmetricTensor<2, dim, Number>    &direction)
   {
     return derivative(d, direction, false);
   }
 
 
 
-  template <int dim>
-  SymmetricTensor<2, dim>
-  logarithm_derivative(const SpectralDecomposition<dim> &d,
-                       const SymmetricTensor<2, dim>    &direction)
+  template <int dim, typename Number>
+  SymmetricTensor<2, dim, Number>
+  logarithm_derivative(const SpectralDecomposition<dim, Number> &d,
+                       const SymmetricTensor<2, dim, Number>    &direction)
   {
     return derivative(d, direction, true);
   }
 
 
 
-  template SpectralDecomposition<2>
-  spectral_decomposition(const SymmetricTensor<2, 2> &);
-  template void
-  spectral_decompositions(const std::vector<SymmetricTensor<2, 2>> &,
-                          std::vector<SpectralDecomposition<2>> &);
-  template SymmetricTensor<2, 2>
-  compose(const SpectralDecomposition<2> &);
-  template SymmetricTensor<2, 2>
-  exponential(const SpectralDecomposition<2> &);
   template SymmetricTensor<2, 2>
   logarithm(const SymmetricTensor<2, 2> &);
-  template SymmetricTensor<2, 2>
-  exponential_derivative(const SpectralDecomposition<2> &,
-                         const SymmetricTensor<2, 2> &);
-  template SymmetricTensor<2, 2>
-  logarithm_derivative(const SpectralDecomposition<2> &,
-                       const SymmetricTensor<2, 2> &);
+  template SpectralDecomposition<2, double>
+  spectral_decomposition(const SymmetricTensor<2, 2, double> &);
+  template SymmetricTensor<2, 2, double>
+  compose(const SpectralDecomposition<2, double> &);
+  template SymmetricTensor<2, 2, double>
+  exponential(const SpectralDecomposition<2, double> &);
+  template SymmetricTensor<2, 2, double>
+  exponential_derivative(const SpectralDecomposition<2, double> &,
+                         const SymmetricTensor<2, 2, double> &);
+  template SymmetricTensor<2, 2, double>
+  logarithm_derivative(const SpectralDecomposition<2, double> &,
+                       const SymmetricTensor<2, 2, double> &);
+  template SpectralDecomposition<2, Pack>
+  spectral_decomposition(const SymmetricTensor<2, 2, Pack> &);
+  template SymmetricTensor<2, 2, Pack>
+  compose(const SpectralDecomposition<2, Pack> &);
+  template SymmetricTensor<2, 2, Pack>
+  exponential(const SpectralDecomposition<2, Pack> &);
+  template SymmetricTensor<2, 2, Pack>
+  exponential_derivative(const SpectralDecomposition<2, Pack> &,
+                         const SymmetricTensor<2, 2, Pack> &);
+  template SymmetricTensor<2, 2, Pack>
+  logarithm_derivative(const SpectralDecomposition<2, Pack> &,
+                       const SymmetricTensor<2, 2, Pack> &);
 
-  template SpectralDecomposition<3>
-  spectral_decomposition(const SymmetricTensor<2, 3> &);
-  template void
-  spectral_decompositions(const std::vector<SymmetricTensor<2, 3>> &,
-                          std::vector<SpectralDecomposition<3>> &);
-  template SymmetricTensor<2, 3>
-  compose(const SpectralDecomposition<3> &);
-  template SymmetricTensor<2, 3>
-  exponential(const SpectralDecomposition<3> &);
   template SymmetricTensor<2, 3>
   logarithm(const SymmetricTensor<2, 3> &);
-  template SymmetricTensor<2, 3>
-  exponential_derivative(const SpectralDecomposition<3> &,
-                         const SymmetricTensor<2, 3> &);
-  template SymmetricTensor<2, 3>
-  logarithm_derivative(const SpectralDecomposition<3> &,
-                       const SymmetricTensor<2, 3> &);
+  template SpectralDecomposition<3, double>
+  spectral_decomposition(const SymmetricTensor<2, 3, double> &);
+  template SymmetricTensor<2, 3, double>
+  compose(const SpectralDecomposition<3, double> &);
+  template SymmetricTensor<2, 3, double>
+  exponential(const SpectralDecomposition<3, double> &);
+  template SymmetricTensor<2, 3, double>
+  exponential_derivative(const SpectralDecomposition<3, double> &,
+                         const SymmetricTensor<2, 3, double> &);
+  template SymmetricTensor<2, 3, double>
+  logarithm_derivative(const SpectralDecomposition<3, double> &,
+                       const SymmetricTensor<2, 3, double> &);
+  template SpectralDecomposition<3, Pack>
+  spectral_decomposition(const SymmetricTensor<2, 3, Pack> &);
+  template SymmetricTensor<2, 3, Pack>
+  compose(const SpectralDecomposition<3, Pack> &);
+  template SymmetricTensor<2, 3, Pack>
+  exponential(const SpectralDecomposition<3, Pack> &);
+  template SymmetricTensor<2, 3, Pack>
+  exponential_derivative(const SpectralDecomposition<3, Pack> &,
+                         const SymmetricTensor<2, 3, Pack> &);
+  template SymmetricTensor<2, 3, Pack>
+  logarithm_derivative(const SpectralDecomposition<3, Pack> &,
+                       const SymmetricTensor<2, 3, Pack> &);
 } // namespace Catena

@@ -81,7 +81,8 @@ main(int argc, char **argv)
                        {"'Weissenberg number' = -1.5", "must be positive"}));
     claims.holds("Wi = 0 is sent to Newtonian",
                  names(refusal("set Weissenberg number = 0"),
-                       {"'Weissenberg number' = 0", "'Fluid/Model' = newtonian"}));
+                       {"'Weissenberg number' = 0",
+                        "'Fluid/Model' = newtonian"}));
     claims.holds("a negative alpha is refused",
                  names(refusal("set Mobility parameter = -0.1"),
                        {"'Mobility parameter' = -0.1", "between 0"}));
@@ -96,7 +97,8 @@ main(int argc, char **argv)
                        {"'Solvent viscosity ratio' = 1.5", "less than 1"}));
     claims.holds("beta = 1 is sent to Newtonian",
                  names(refusal("set Solvent viscosity ratio = 1"),
-                       {"'Solvent viscosity ratio' = 1", "'Fluid/Model' = newtonian"}));
+                       {"'Solvent viscosity ratio' = 1",
+                        "'Fluid/Model' = newtonian"}));
 
     GiesekusParameters unusable;
     unusable.mobility_parameter = std::numeric_limits<double>::quiet_NaN();

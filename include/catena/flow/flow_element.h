@@ -12,8 +12,6 @@
 #include <array>
 #include <vector>
 
-#include <experimental/simd>
-
 namespace Catena
 {
   /**
@@ -25,49 +23,20 @@ namespace Catena
     static constexpr unsigned int n_nodes    = n_quadratic_nodes(dim);
     static constexpr unsigned int n_vertices = n_linear_nodes(dim);
 
-    /// A number for each node, in whole registers of the processor.
-    using Register = std::experimental::native_simd<double>;
-    static constexpr unsigned int width       = Register::size();
-    static constexpr unsigned int n_registers = (n_nodes + width - 1) / width;
-    struct NodeNumbers
-    {
-      std::array<Register, n_registers> registers = {};
-
-      double
-      operator[](const unsigned int a) const
-      {
-        return registers[a / width][a % width];
-      }
-
-      void
-      set(const unsigned int a, const double value)
-      {
-        registers[a / width][a % width] = value;
-      }
-
-      /// this += factor x
-      void
-      add(const double factor, const NodeNumbers &x)
-      {
-        for (unsigned int r = 0; r < n_registers; ++r)
-          registers[r] += factor * x.registers[r];
-      }
-    };
-
     const typename MovingMesh<dim>::Cell          *cell;
     std::array<const NodeCoupling<dim> *, n_nodes> couplings;
     bool                                           touches_particle;
 
     /// velocity[i][j][a][b]: component i of node a with component j of node b
-    std::array<std::array<std::array<NodeNumbers, n_nodes>, dim>, dim> velocity;
-    std::array<std::array<dealii::Tensor<1, dim>, n_nodes>, n_vertices>
-                                                           divergence;
-    std::array<dealii::Tensor<1, dim>, n_nodes>            rhs;
-    std::array<NodeNumbers, n_nodes>                       component;
+    std::array<std::array<std::array<NodeNumbers<dim>, n_nodes>, dim>, dim>
+                                                           velocity;
+    std::array<NodeVectors<dim>, n_vertices>               divergence;
+    NodeVectors<dim>                                       rhs;
+    std::array<NodeNumbers<dim>, n_nodes>                  component;
     std::array<std::array<double, n_vertices>, n_vertices> mass;
     std::array<double, n_vertices>                         volume;
     /// int of the shape functions
-    std::array<double, n_nodes> node_volume;
+    NodeNumbers<dim> node_volume;
 
     void
     reset(const typename MovingMesh<dim>::Cell &new_cell,
@@ -116,14 +85,8 @@ namespace Catena
       const unsigned int n_points = points.size();
       fluxes.assign(n_points, {});
       for (unsigned int q = 0; q < n_points; ++q)
-        for (unsigned int b = 0; b < n_nodes; ++b)
-          {
-            const dealii::Tensor<1, dim> flux =
-              points[q].JxW *
-              (coefficients[q].viscosity * points[q].quadratic_gradient[b]);
-            for (unsigned int i = 0; i < dim; ++i)
-              fluxes[q][i].set(b, flux[i]);
-          }
+        fluxes[q].add_product(points[q].JxW * coefficients[q].viscosity,
+                              points[q].quadratic_gradient);
 
       for (unsigned int a = 0; a < n_nodes; ++a)
         {
@@ -132,9 +95,10 @@ namespace Catena
             {
               for (unsigned int j = 0; j < dim; ++j)
                 {
-                  NodeNumbers sums;
+                  NodeNumbers<dim> sums;
                   for (unsigned int q = 0; q < n_points; ++q)
-                    sums.add(points[q].quadratic_gradient[a][j], fluxes[q][i]);
+                    sums.add(points[q].quadratic_gradient.components[j][a],
+                             fluxes[q].components[i]);
                   velocity[i][j][a] = sums;
                 }
               component[a].add(1., velocity[i][i][a]);
@@ -148,12 +112,8 @@ namespace Catena
     add_known_stress(const typename CellValues<dim>::PointValues &point,
                      const dealii::SymmetricTensor<2, dim>       &stress)
     {
-      const dealii::SymmetricTensor<2, dim> weighted = point.JxW * stress;
-      for (unsigned int a = 0; a < n_nodes; ++a)
-        {
-          rhs[a] -= weighted * point.quadratic_gradient[a];
-          node_volume[a] += point.JxW * point.quadratic[a];
-        }
+      rhs.add_product(-point.JxW * stress, point.quadratic_gradient);
+      node_volume.add(point.JxW, point.quadratic);
     }
 
     void
@@ -163,8 +123,7 @@ namespace Catena
         {
           const double weight = point.JxW * point.linear[v];
           volume[v] += weight;
-          for (unsigned int b = 0; b < n_nodes; ++b)
-            divergence[v][b] -= weight * point.quadratic_gradient[b];
+          divergence[v].add(-weight, point.quadratic_gradient);
         }
     }
 
@@ -183,19 +142,14 @@ namespace Catena
     add_tangent(const typename CellValues<dim>::PointValues &point,
                 const StressCoefficients<dim>               &coefficients)
     {
-      std::array<NodeNumbers, dim> tractions;
-      for (unsigned int a = 0; a < n_nodes; ++a)
-        {
-          const dealii::Tensor<1, dim> traction =
-            coefficients.tangent * point.quadratic_gradient[a];
-          for (unsigned int i = 0; i < dim; ++i)
-            tractions[i].set(a, traction[i]);
-        }
+      NodeVectors<dim> tractions;
+      tractions.add_product(coefficients.tangent, point.quadratic_gradient);
       const double weight = point.JxW * coefficients.tangent_factor;
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int j = 0; j < dim; ++j)
           for (unsigned int a = 0; a < n_nodes; ++a)
-            velocity[i][j][a].add(weight * tractions[i][a], tractions[j]);
+            velocity[i][j][a].add(weight * tractions.components[i][a],
+                                  tractions.components[j]);
     }
 
     void
@@ -209,8 +163,7 @@ namespace Catena
       for (unsigned int i = 0; i < dim; ++i)
         {
           const double f = point.JxW * force.value(x, i);
-          for (unsigned int a = 0; a < n_nodes; ++a)
-            rhs[a][i] += f * point.quadratic[a];
+          rhs.components[i].add(f, point.quadratic);
         }
     }
 
@@ -218,16 +171,24 @@ namespace Catena
     void
     condense_known_velocities()
     {
+      NodeVectors<dim> known;
+      for (unsigned int b = 0; b < n_nodes; ++b)
+        known.set(b,
+                  dealii::Tensor<1, dim>(dealii::ArrayView<const double>(
+                    couplings[b]->known.data(), dim)));
       for (unsigned int a = 0; a < n_nodes; ++a)
-        for (unsigned int b = 0; b < n_nodes; ++b)
+        {
+          dealii::Tensor<1, dim> force = rhs[a];
           for (unsigned int i = 0; i < dim; ++i)
             for (unsigned int j = 0; j < dim; ++j)
-              rhs[a][i] -= velocity[i][j][a][b] * couplings[b]->known[j];
+              force[i] -= velocity[i][j][a] * known.components[j];
+          rhs.set(a, force);
+        }
     }
 
   private:
     /// by point and component, H grad of the shape functions times the weight
-    std::vector<std::array<NodeNumbers, dim>> fluxes;
+    std::vector<NodeVectors<dim>> fluxes;
   };
 } // namespace Catena
 

@@ -8,7 +8,6 @@
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 namespace Catena
@@ -46,14 +45,14 @@ namespace Catena
 
   /// Values of a vector field at the nodes of a cell.
   template <int dim>
-  std::array<dealii::Tensor<1, dim>, n_quadratic_nodes(dim)>
+  NodeVectors<dim>
   node_vectors(const typename MovingMesh<dim>::Cell &cell,
                const VectorType                     &field)
   {
-    std::array<dealii::Tensor<1, dim>, n_quadratic_nodes(dim)> vectors;
-    for (unsigned int a = 0; a < vectors.size(); ++a)
+    NodeVectors<dim> vectors;
+    for (unsigned int a = 0; a < n_quadratic_nodes(dim); ++a)
       for (unsigned int d = 0; d < dim; ++d)
-        vectors[a][d] = field(dim * cell.nodes[a] + d);
+        vectors.components[d].set(a, field(dim * cell.nodes[a] + d));
     return vectors;
   }
 
@@ -62,13 +61,12 @@ namespace Catena
   /// Value at a point of the vector field with these values at the nodes.
   template <int dim>
   dealii::Tensor<1, dim>
-  value_at(
-    const typename CellValues<dim>::PointValues                      &point,
-    const std::array<dealii::Tensor<1, dim>, n_quadratic_nodes(dim)> &vectors)
+  value_at(const typename CellValues<dim>::PointValues &point,
+           const NodeVectors<dim>                      &vectors)
   {
     dealii::Tensor<1, dim> value;
-    for (unsigned int a = 0; a < vectors.size(); ++a)
-      value += point.quadratic[a] * vectors[a];
+    for (unsigned int d = 0; d < dim; ++d)
+      value[d] = point.quadratic * vectors.components[d];
     return value;
   }
 
@@ -77,29 +75,107 @@ namespace Catena
   /// Its gradient L, with L_ij = d u_i / d x_j.
   template <int dim>
   dealii::Tensor<2, dim>
-  gradient_at(
-    const typename CellValues<dim>::PointValues                      &point,
-    const std::array<dealii::Tensor<1, dim>, n_quadratic_nodes(dim)> &vectors)
+  gradient_at(const typename CellValues<dim>::PointValues &point,
+              const NodeVectors<dim>                      &vectors)
   {
     dealii::Tensor<2, dim> gradient;
-    for (unsigned int a = 0; a < vectors.size(); ++a)
-      gradient += outer_product(vectors[a], point.quadratic_gradient[a]);
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        gradient[i][j] =
+          vectors.components[i] * point.quadratic_gradient.components[j];
     return gradient;
   }
 
 
 
-  /// 2|w|/h at a point, with the length h of the element along @p w.
+  /// The values of value_at() or gradient_at() at the points of a pack.
   template <int dim>
-  double
-  crossing_rate(const typename CellValues<dim>::PointValues &point,
-                const dealii::Tensor<1, dim>                &w)
+  dealii::Tensor<1, dim, Pack>
+  values_at(const CellValues<dim>                      &values,
+            const typename CellValues<dim>::PackValues &pack,
+            const NodeVectors<dim>                     &vectors)
   {
-    double rate = 0.;
-    for (const auto &gradient : point.linear_gradient)
-      rate += std::abs(w * gradient);
+    dealii::Tensor<1, dim, Pack> result;
+    for (unsigned int lane = 0; lane < pack.n_points; ++lane)
+      {
+        const auto value =
+          value_at<dim>(values.points()[pack.first + lane], vectors);
+        for (unsigned int d = 0; d < dim; ++d)
+          result[d][lane] = value[d];
+      }
+    return result;
+  }
+
+  template <int dim>
+  dealii::Tensor<2, dim, Pack>
+  gradients_at(const CellValues<dim>                      &values,
+               const typename CellValues<dim>::PackValues &pack,
+               const NodeVectors<dim>                     &vectors)
+  {
+    dealii::Tensor<2, dim, Pack> result;
+    for (unsigned int lane = 0; lane < pack.n_points; ++lane)
+      {
+        const auto gradient =
+          gradient_at<dim>(values.points()[pack.first + lane], vectors);
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j < dim; ++j)
+            result[i][j][lane] = gradient[i][j];
+      }
+    return result;
+  }
+
+
+
+  /// The linear field with these tensors at the vertices, at the points.
+  template <int dim>
+  dealii::SymmetricTensor<2, dim, Pack>
+  interpolate(const typename CellValues<dim>::PackValues &pack,
+              const std::array<dealii::SymmetricTensor<2, dim>,
+                               n_linear_nodes(dim)>      &vertices)
+  {
+    dealii::SymmetricTensor<2, dim, Pack> result;
+    for (unsigned int v = 0; v < vertices.size(); ++v)
+      for (unsigned int k = 0; k < n_symmetric_components(dim); ++k)
+        result.access_raw_entry(k) +=
+          pack.linear[v] * vertices[v].access_raw_entry(k);
+    return result;
+  }
+
+
+
+  /// Its derivative w . grad at the points.
+  template <int dim>
+  dealii::SymmetricTensor<2, dim, Pack>
+  derivative_along(const typename CellValues<dim>::PackValues &pack,
+                   const dealii::Tensor<1, dim, Pack>         &w,
+                   const std::array<dealii::SymmetricTensor<2, dim>,
+                                    n_linear_nodes(dim)>      &vertices)
+  {
+    dealii::SymmetricTensor<2, dim, Pack> result;
+    for (unsigned int v = 0; v < vertices.size(); ++v)
+      {
+        const Pack along_w = w * pack.linear_gradient[v];
+        for (unsigned int k = 0; k < n_symmetric_components(dim); ++k)
+          result.access_raw_entry(k) +=
+            along_w * vertices[v].access_raw_entry(k);
+      }
+    return result;
+  }
+
+
+
+  /// 2|w|/h at the points, with the length h of the element along @p w.
+  template <int dim>
+  Pack
+  crossing_rate(const typename CellValues<dim>::PackValues &pack,
+                const dealii::Tensor<1, dim, Pack>         &w)
+  {
+    Pack rate = 0.;
+    for (const auto &gradient : pack.linear_gradient)
+      rate += abs(w * gradient);
     return rate;
   }
+
 } // namespace Catena
 
 #endif

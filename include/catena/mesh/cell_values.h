@@ -1,7 +1,9 @@
 #ifndef catena_mesh_cell_values_h
 #define catena_mesh_cell_values_h
 
+#include <catena/base/pack.h>
 #include <catena/base/types.h>
+#include <catena/mesh/node_numbers.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/quadrature.h>
@@ -33,10 +35,23 @@ namespace Catena
     struct PointValues
     {
       double                                         JxW;
-      std::array<double, n_nodes>                    quadratic;
-      std::array<dealii::Tensor<1, dim>, n_nodes>    quadratic_gradient;
+      NodeNumbers<dim>                               quadratic;
+      NodeVectors<dim>                               quadratic_gradient;
       std::array<double, n_vertices>                 linear;
       std::array<dealii::Tensor<1, dim>, n_vertices> linear_gradient;
+    };
+
+    /**
+     * What is known of the linear shape functions at some points at once,
+     * those from number @p first on. Lanes beyond the last point are like it,
+     * with a JxW of zero.
+     */
+    struct PackValues
+    {
+      unsigned int                                         first, n_points;
+      Pack                                                 JxW;
+      std::array<Pack, n_vertices>                         linear;
+      std::array<dealii::Tensor<1, dim, Pack>, n_vertices> linear_gradient;
     };
 
     CellValues();
@@ -53,7 +68,14 @@ namespace Catena
     const std::vector<PointValues> &
     points() const
     {
-      return *active;
+      return active->values;
+    }
+
+    /// The same points, some at once.
+    const std::vector<PackValues> &
+    packs() const
+    {
+      return active->packs;
     }
 
   private:
@@ -61,7 +83,7 @@ namespace Catena
     struct ReferencePoint
     {
       double                                         weight;
-      std::array<dealii::Tensor<1, dim>, n_nodes>    quadratic_gradient;
+      NodeVectors<dim>                               quadratic_gradient;
       std::array<dealii::Tensor<1, dim>, n_vertices> linear_gradient;
     };
 
@@ -69,13 +91,17 @@ namespace Catena
     {
       std::vector<ReferencePoint> reference;
       std::vector<PointValues>    values;
+      std::vector<PackValues>     packs;
 
       void
       tabulate(const dealii::Quadrature<dim> &quadrature);
+
+      void
+      update_packs(const bool curved);
     };
 
-    Rule                      straight_rule, curved_rule;
-    std::vector<PointValues> *active = nullptr;
+    Rule        straight_rule, curved_rule;
+    const Rule *active = nullptr;
   };
 } // namespace Catena
 

@@ -52,7 +52,8 @@ namespace Catena
    *   f(c) = -\frac{1}{\lambda} \left[ (c - I) + \alpha (c - I)^2 \right],
    * @f]
    * where L_ij = du_i/dx_j is the velocity gradient. Times are in units of
-   * 1/gamma, stresses and moduli in units of eta0 gamma.
+   * 1/gamma, stresses and moduli in units of eta0 gamma. Functions of a @p
+   * Number are for one point or, with a Pack, for some at once.
    *
    * For dim = 2 the flow is plane: c_zz = 1 and does not enter.
    */
@@ -80,16 +81,18 @@ namespace Catena
     /**
      * The relaxation f(c) of the conformation @p c, in units of gamma.
      */
-    dealii::SymmetricTensor<2, dim>
-    relaxation(const dealii::SymmetricTensor<2, dim> &c) const;
+    template <typename Number>
+    dealii::SymmetricTensor<2, dim, Number>
+    relaxation(const dealii::SymmetricTensor<2, dim, Number> &c) const;
 
     /**
      * Dc/Dt = L c + c L^T + f(c) following a material point, for the velocity
      * gradient @p L and the conformation @p c; in units of gamma.
      */
-    dealii::SymmetricTensor<2, dim>
-    conformation_rate(const dealii::Tensor<2, dim>          &L,
-                      const dealii::SymmetricTensor<2, dim> &c) const;
+    template <typename Number>
+    dealii::SymmetricTensor<2, dim, Number>
+    conformation_rate(const dealii::Tensor<2, dim, Number>          &L,
+                      const dealii::SymmetricTensor<2, dim, Number> &c) const;
 
     /**
      * g(L, s) = Ds/Dt following a material point, for the velocity gradient
@@ -109,9 +112,10 @@ namespace Catena
      * No term loses digits for equal or nearly equal eigenvalues, nor near
      * s = 0.
      */
-    dealii::SymmetricTensor<2, dim>
-    log_conformation_rate(const dealii::Tensor<2, dim>     &L,
-                          const SpectralDecomposition<dim> &d) const;
+    template <typename Number>
+    dealii::SymmetricTensor<2, dim, Number>
+    log_conformation_rate(const dealii::Tensor<2, dim, Number>     &L,
+                          const SpectralDecomposition<dim, Number> &d) const;
 
     /**
      * The largest rate at which a small change of s = log(c) relaxes, by the
@@ -119,17 +123,19 @@ namespace Catena
      * @f$ \max_i \left( (1-\alpha) e^{-s_i} + \alpha e^{s_i} \right) /
      * \lambda @f$; in units of gamma.
      */
-    double
-    fastest_relaxation(const SpectralDecomposition<dim> &d) const;
+    template <typename Number>
+    Number
+    fastest_relaxation(const SpectralDecomposition<dim, Number> &d) const;
 
     /**
      * The time in which the conformation changes in the velocity gradient
      * @p L and in an element that is crossed at the rate r = @p crossing,
      * @f$ ((1/\lambda + |L|)^2 + r^2)^{-1/2} @f$; in units of 1/gamma.
      */
-    double
-    time_of_change(const dealii::Tensor<2, dim> &L,
-                   const double                  crossing) const;
+    template <typename Number>
+    Number
+    time_of_change(const dealii::Tensor<2, dim, Number> &L,
+                   const Number                         &crossing) const;
 
     /**
      * The polymer stress tau = G (c - I), in units of eta0 gamma.
@@ -175,17 +181,19 @@ namespace Catena
 
 
   template <int dim>
-  inline dealii::SymmetricTensor<2, dim>
-  Giesekus<dim>::relaxation(const dealii::SymmetricTensor<2, dim> &c) const
+  template <typename Number>
+  inline dealii::SymmetricTensor<2, dim, Number>
+  Giesekus<dim>::relaxation(
+    const dealii::SymmetricTensor<2, dim, Number> &c) const
   {
-    const dealii::SymmetricTensor<2, dim> departure =
-      c - dealii::unit_symmetric_tensor<dim, double>();
+    const dealii::SymmetricTensor<2, dim, Number> departure =
+      c - dealii::unit_symmetric_tensor<dim, Number>();
 
-    dealii::SymmetricTensor<2, dim> f;
+    dealii::SymmetricTensor<2, dim, Number> f;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = i; j < dim; ++j)
         {
-          double square = 0.;
+          Number square = 0.;
           for (unsigned int k = 0; k < dim; ++k)
             square += departure[i][k] * departure[k][j];
           f[i][j] = -(departure[i][j] + alpha * square) / lambda;
@@ -196,12 +204,13 @@ namespace Catena
 
 
   template <int dim>
-  inline dealii::SymmetricTensor<2, dim>
+  template <typename Number>
+  inline dealii::SymmetricTensor<2, dim, Number>
   Giesekus<dim>::conformation_rate(
-    const dealii::Tensor<2, dim>          &L,
-    const dealii::SymmetricTensor<2, dim> &c) const
+    const dealii::Tensor<2, dim, Number>          &L,
+    const dealii::SymmetricTensor<2, dim, Number> &c) const
   {
-    dealii::SymmetricTensor<2, dim> rate = relaxation(c);
+    dealii::SymmetricTensor<2, dim, Number> rate = relaxation(c);
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = i; j < dim; ++j)
         for (unsigned int k = 0; k < dim; ++k)
@@ -212,38 +221,46 @@ namespace Catena
 
 
   template <int dim>
-  inline dealii::SymmetricTensor<2, dim>
+  template <typename Number>
+  inline dealii::SymmetricTensor<2, dim, Number>
   Giesekus<dim>::log_conformation_rate(
-    const dealii::Tensor<2, dim>     &L,
-    const SpectralDecomposition<dim> &d) const
+    const dealii::Tensor<2, dim, Number>     &L,
+    const SpectralDecomposition<dim, Number> &d) const
   {
-    const dealii::Tensor<2, dim> l = to_frame(L, d.vectors);
+    using std::abs;
+    using std::expm1;
+    using std::sqrt;
+    const dealii::Tensor<2, dim, Number> l = to_frame(L, d.vectors);
 
-    dealii::Tensor<2, dim>  g;
-    std::array<double, dim> root; // e^{s_i/2}
+    dealii::Tensor<2, dim, Number> g;
+    std::array<Number, dim>        root; // e^{s_i/2}
     for (unsigned int i = 0; i < dim; ++i)
       {
         // With m = e^{|s|} - 1 nothing cancels: 1 - e^{-s} = m/(1 + m) for
         // s > 0 and -m for s < 0, e^s - 2 + e^{-s} = m^2/(1 + m).
-        const double s        = d.values[i];
-        const double m        = std::expm1(std::abs(s));
-        const double quotient = m / (1. + m);
-        const double larger   = std::sqrt(1. + m);
+        const Number s            = d.values[i];
+        const Number m            = expm1(abs(s));
+        const Number quotient     = m / (1. + m);
+        const Number larger       = sqrt(1. + m);
+        const auto   is_stretched = s > 0.;
 
-        root[i] = (s > 0. ? larger : 1. / larger);
-        g[i][i] = 2. * l[i][i] -
-                  ((s > 0. ? quotient : -m) + alpha * m * quotient) / lambda;
+        root[i] = select(is_stretched, larger, 1. / larger);
+        g[i][i] =
+          2. * l[i][i] -
+          (select(is_stretched, quotient, -m) + alpha * m * quotient) / lambda;
       }
 
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = i + 1; j < dim; ++j)
         {
-          const double x       = 0.5 * (d.values[i] - d.values[j]);
-          const double e       = root[i] / root[j]; // e^x
-          const double inverse = root[j] / root[i];
-          const double quotient =
-            (std::abs(x) <= 0.5 ? 1. / sinh_quotient_series(x) :
-                                  2. * x / (e - inverse));
+          const Number x        = 0.5 * (d.values[i] - d.values[j]);
+          const Number e        = root[i] / root[j]; // e^x
+          const Number inverse  = root[j] / root[i];
+          const auto   is_small = abs(x) <= 0.5;
+          const Number quotient =
+            select(is_small,
+                   1. / sinh_quotient_series(x),
+                   2. * x / select(is_small, Number(1.), e - inverse));
           g[i][j] = quotient * (l[i][j] * inverse + l[j][i] * e);
         }
     return from_frame(g, d.vectors);
@@ -252,24 +269,33 @@ namespace Catena
 
 
   template <int dim>
-  inline double
-  Giesekus<dim>::fastest_relaxation(const SpectralDecomposition<dim> &d) const
+  template <typename Number>
+  inline Number
+  Giesekus<dim>::fastest_relaxation(
+    const SpectralDecomposition<dim, Number> &d) const
   {
-    double rate = 0.;
-    for (const double s : d.values)
-      rate = std::max(rate, (1. - alpha) * std::exp(-s) + alpha * std::exp(s));
+    using std::exp;
+    using std::max;
+    Number rate = 0.;
+    for (const Number &s : d.values)
+      {
+        const Number c = exp(s);
+        rate           = max(rate, (1. - alpha) / c + alpha * c);
+      }
     return rate / lambda;
   }
 
 
 
   template <int dim>
-  inline double
-  Giesekus<dim>::time_of_change(const dealii::Tensor<2, dim> &L,
-                                const double                  crossing) const
+  template <typename Number>
+  inline Number
+  Giesekus<dim>::time_of_change(const dealii::Tensor<2, dim, Number> &L,
+                                const Number &crossing) const
   {
-    const double rate = 1. / lambda + L.norm();
-    return 1. / std::sqrt(rate * rate + crossing * crossing);
+    using std::sqrt;
+    const Number rate = 1. / lambda + frobenius_norm(L);
+    return 1. / sqrt(rate * rate + crossing * crossing);
   }
 
 

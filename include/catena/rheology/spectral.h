@@ -1,12 +1,13 @@
 #ifndef catena_rheology_spectral_h
 #define catena_rheology_spectral_h
 
+#include <catena/base/pack.h>
+
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
 #include <array>
 #include <cmath>
-#include <vector>
 
 namespace Catena
 {
@@ -16,15 +17,18 @@ namespace Catena
    *
    * The eigenvalues are in no particular order. @p vectors is orthogonal to
    * rounding also where eigenvalues are equal; it may be a reflection.
+   *
+   * This and all functions of tensors below are for one tensor or, with a Pack
+   * in place of a number, for some at once.
    */
-  template <int dim>
+  template <int dim, typename Number = double>
   struct SpectralDecomposition
   {
-    std::array<double, dim> values;
+    std::array<Number, dim> values;
 
     /// Column k is the unit eigenvector of values[k]: vectors[i][k] is its
     /// i-th component.
-    dealii::Tensor<2, dim> vectors;
+    dealii::Tensor<2, dim, Number> vectors;
   };
 
   /**
@@ -38,35 +42,23 @@ namespace Catena
    * (Demmel & Veselic, SIAM J. Matrix Anal. Appl. 13 (1992) 1204). Entries
    * whose squares are not finite give values that are not a number.
    */
-  template <int dim>
-  SpectralDecomposition<dim>
-  spectral_decomposition(const dealii::SymmetricTensor<2, dim> &s);
-
-  /**
-   * The same of many tensors, several at a time; the results may differ from
-   * those one by one in rounding.
-   *
-   * @param spectra resized to the number of tensors
-   */
-  template <int dim>
-  void
-  spectral_decompositions(
-    const std::vector<dealii::SymmetricTensor<2, dim>> &tensors,
-    std::vector<SpectralDecomposition<dim>>            &spectra);
+  template <int dim, typename Number>
+  SpectralDecomposition<dim, Number>
+  spectral_decomposition(const dealii::SymmetricTensor<2, dim, Number> &s);
 
   /**
    * The tensor sum_k values[k] r_k r_k^T.
    */
-  template <int dim>
-  dealii::SymmetricTensor<2, dim>
-  compose(const SpectralDecomposition<dim> &d);
+  template <int dim, typename Number>
+  dealii::SymmetricTensor<2, dim, Number>
+  compose(const SpectralDecomposition<dim, Number> &d);
 
   /**
    * The matrix exponential c = exp(s) of the tensor decomposed in @p d.
    */
-  template <int dim>
-  dealii::SymmetricTensor<2, dim>
-  exponential(const SpectralDecomposition<dim> &d);
+  template <int dim, typename Number>
+  dealii::SymmetricTensor<2, dim, Number>
+  exponential(const SpectralDecomposition<dim, Number> &d);
 
   /**
    * The matrix logarithm s = log(c) of a symmetric positive definite tensor.
@@ -90,10 +82,11 @@ namespace Catena
    * @f]
    * evaluated without cancellation for equal and nearly equal eigenvalues.
    */
-  template <int dim>
-  dealii::SymmetricTensor<2, dim>
-  exponential_derivative(const SpectralDecomposition<dim>      &d,
-                         const dealii::SymmetricTensor<2, dim> &direction);
+  template <int dim, typename Number>
+  dealii::SymmetricTensor<2, dim, Number>
+  exponential_derivative(
+    const SpectralDecomposition<dim, Number>      &d,
+    const dealii::SymmetricTensor<2, dim, Number> &direction);
 
   /**
    * The Frechet derivative of the logarithm, d/de log(c + e H) at e = 0 and
@@ -105,18 +98,20 @@ namespace Catena
    *   \qquad x = \frac{s_i-s_j}{2}.
    * @f]
    */
-  template <int dim>
-  dealii::SymmetricTensor<2, dim>
-  logarithm_derivative(const SpectralDecomposition<dim>      &d,
-                       const dealii::SymmetricTensor<2, dim> &direction);
+  template <int dim, typename Number>
+  dealii::SymmetricTensor<2, dim, Number>
+  logarithm_derivative(
+    const SpectralDecomposition<dim, Number>      &d,
+    const dealii::SymmetricTensor<2, dim, Number> &direction);
 
   /**
    * sinh(x)/x to rounding for |x| <= 1/2, by its Taylor series.
    */
-  inline double
-  sinh_quotient_series(const double x)
+  template <typename Number>
+  inline Number
+  sinh_quotient_series(const Number &x)
   {
-    const double y = x * x;
+    const Number y = x * x;
     return 1. + y / 6. *
                   (1. + y / 20. *
                           (1. + y / 42. *
@@ -124,15 +119,29 @@ namespace Catena
                                           (1. + y / 110. * (1. + y / 156.)))));
   }
 
+  /// sqrt(A : A)
+  template <int dim, typename Number>
+  inline Number
+  frobenius_norm(const dealii::Tensor<2, dim, Number> &a)
+  {
+    using std::sqrt;
+    Number square = 0.;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        square += a[i][j] * a[i][j];
+    return sqrt(square);
+  }
+
   /**
    * R^T A R, the components of a tensor @p a in the frame of the columns of
    * @p r.
    */
-  template <int dim>
-  inline dealii::Tensor<2, dim>
-  to_frame(const dealii::Tensor<2, dim> &a, const dealii::Tensor<2, dim> &r)
+  template <int dim, typename Number>
+  inline dealii::Tensor<2, dim, Number>
+  to_frame(const dealii::Tensor<2, dim, Number> &a,
+           const dealii::Tensor<2, dim, Number> &r)
   {
-    dealii::Tensor<2, dim> product, result;
+    dealii::Tensor<2, dim, Number> product, result;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int k = 0; k < dim; ++k)
         for (unsigned int j = 0; j < dim; ++j)
@@ -148,21 +157,22 @@ namespace Catena
    * R A R^T for a symmetric A given by its upper triangle a[i][j], i <= j:
    * from the frame of the columns of @p r to the fixed one.
    */
-  template <int dim>
-  inline dealii::SymmetricTensor<2, dim>
-  from_frame(const dealii::Tensor<2, dim> &a, const dealii::Tensor<2, dim> &r)
+  template <int dim, typename Number>
+  inline dealii::SymmetricTensor<2, dim, Number>
+  from_frame(const dealii::Tensor<2, dim, Number> &a,
+             const dealii::Tensor<2, dim, Number> &r)
   {
-    dealii::Tensor<2, dim> product;
+    dealii::Tensor<2, dim, Number> product;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int k = 0; k < dim; ++k)
         for (unsigned int j = 0; j < dim; ++j)
           product[i][j] += r[i][k] * (k <= j ? a[k][j] : a[j][k]);
 
-    dealii::SymmetricTensor<2, dim> result;
+    dealii::SymmetricTensor<2, dim, Number> result;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = i; j < dim; ++j)
         {
-          double sum = 0.;
+          Number sum = 0.;
           for (unsigned int k = 0; k < dim; ++k)
             sum += product[i][k] * r[j][k];
           result[i][j] = sum;
