@@ -11,7 +11,8 @@
  *
  * - catena,
  * - ilut:FILL:DROP:metis|rcm:mixed|last: GMRES with incomplete factors of the
- *   whole matrix, kept from the first step on,
+ *   whole matrix, kept from the first step on; with :extrapolated after it the
+ *   first guesses are not improved by earlier solutions,
  * - mumps: complete factors instead.
  *
  * Printed is a row of comma-separated values for each. Times are CPU seconds,
@@ -204,7 +205,8 @@ namespace
       : Solver(mesh, bodies, fluid)
       , words(Utilities::split_string_list(settings, ':'))
     {
-      AssertThrow(words[0] == "mumps" || words.size() == 5,
+      AssertThrow(words[0] == "mumps" || words.size() == 5 ||
+                    (words.size() == 6 && words[5] == "extrapolated"),
                   ExcMessage("Unknown solver " + settings));
     }
 
@@ -374,13 +376,14 @@ namespace
       const BlockVectorType rhs   = right_hand_side(forces);
       BlockVectorType       guess = first_guess(fields);
       const ContactBlocks   no_contacts;
-      earlier_solutions.improve({*matrices, no_contacts}, rhs, guess);
+      const double wanted = FlowSolverParameters().tolerance * rhs.l2_norm();
+      if (words.size() < 6)
+        earlier_solutions.improve({*matrices, no_contacts}, rhs, wanted, guess);
       // one pressure is zero in the whole system
       guess.block(1).add(-guess.block(1)(system->zero_pressure()));
       Vector<double>                              x = system->gather(guess);
       const Vector<double>                        b = system->gather(rhs);
-      SolverControl                               control(1000,
-                            FlowSolverParameters().tolerance * b.l2_norm());
+      SolverControl                               control(1000, wanted);
       SolverGMRES<Vector<double>>::AdditionalData data(202, true);
       SolverGMRES<Vector<double>>(control, data).solve(matrix, x, b, *this);
 

@@ -12,7 +12,7 @@ namespace Catena
 
   namespace
   {
-    constexpr unsigned int n_solutions = 6;
+    constexpr unsigned int n_solutions = 4;
 
     /**
      * Image of a direction, without those of the others, against the residual:
