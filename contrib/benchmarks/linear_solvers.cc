@@ -16,7 +16,8 @@
  * - mumps: complete factors instead.
  *
  * Printed is a row of comma-separated values for each. Times are CPU seconds,
- * memory is what a solver adds at most. README.md tells more.
+ * memory is what a solver adds at most, limit the time that moving the matrices
+ * takes for a solution of Catena's at least. README.md tells more.
  */
 
 #include <catena/flow/earlier_solutions.h>
@@ -40,6 +41,7 @@
 
 #include "cpu_seconds.h"
 #include "ilut.h"
+#include "memory_traffic.h"
 #include "recorded_steps.h"
 #include "whole_system.h"
 
@@ -55,7 +57,7 @@ namespace
     std::string  settings;
     double       set_up = 0., solve_from_zero = 0., assembly = 0., solve = 0.;
     unsigned int iterations_from_zero = 0;
-    double       iterations = 0., memory = 0., difference = 0.;
+    double       iterations = 0., memory = 0., difference = 0., limit = 0.;
   };
 
 
@@ -133,6 +135,7 @@ namespace
       costs.set_up -= first_assembly_counts ? costs.assembly : 0.;
       Utilities::System::get_memory_stats(after);
       costs.memory = (after.VmHWM - before.VmRSS) / 1024.;
+      costs.limit  = limit(costs.iterations);
       return costs;
     }
 
@@ -156,6 +159,13 @@ namespace
 
     virtual unsigned int
     solve(FlowFields<3> &fields, const std::vector<double> &forces) = 0;
+
+    /// Seconds that the memory allows a solution, if known.
+    virtual double
+    limit(const double /*iterations*/) const
+    {
+      return 0.;
+    }
   };
 
 
@@ -166,12 +176,14 @@ namespace
     using Solver::Solver;
 
   private:
-    FlowSolver<3> solver = FlowSolver<3>(FlowSolverParameters());
+    FlowSolver<3>    solver = FlowSolver<3>(FlowSolverParameters());
+    Configuration<3> configuration;
 
     void
     first_assembly(const RecordedStep &step, Costs &costs) override
     {
       first_assembly_counts = true;
+      configuration         = step.configuration;
       solver.reinit(mesh, bodies, step.configuration, false);
       costs.set_up = cpu_seconds(
         [&] { solver.assemble(step.configuration, step.stress(fluid)); });
@@ -187,6 +199,15 @@ namespace
     solve(FlowFields<3> &fields, const std::vector<double> &forces) override
     {
       return solver.solve(fields, {}, forces);
+    }
+
+    double
+    limit(const double iterations) const override
+    {
+      const auto couplings = node_couplings<3>(
+        mesh, velocity_constraints<3>(mesh, bodies, configuration, false));
+      const FlowMatrices<3> matrices(mesh, bodies, couplings);
+      return bytes_of_a_solution(matrices, iterations) / memory_bandwidth();
     }
   };
 
@@ -425,7 +446,7 @@ namespace
 
     std::cout << "solver,cells,unknowns,steps,set_up,iterations_from_zero,"
                  "solve_from_zero,assembly,iterations,solve,memory_MB,"
-                 "difference\n";
+                 "difference,limit\n";
     for (const std::string &name : solvers)
       {
         std::unique_ptr<Solver> solver;
@@ -448,7 +469,7 @@ namespace
                       << c.iterations_from_zero << ',' << c.solve_from_zero
                       << ',' << c.assembly << ',' << c.iterations << ','
                       << c.solve << ',' << c.memory << ',' << c.difference
-                      << std::endl;
+                      << ',' << c.limit << std::endl;
           }
         catch (const SolverControl::NoConvergence &)
           {

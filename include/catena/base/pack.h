@@ -74,6 +74,22 @@ namespace Catena
     for (unsigned int k = 0; k < tensor.n_independent_components; ++k)
       tensors.access_raw_entry(k)[lane] = tensor.access_raw_entry(k);
   }
+
+  inline void
+  set_lane(Pack &numbers, const unsigned int lane, const double number)
+  {
+    numbers[lane] = number;
+  }
+
+  template <int rank, int dim>
+  void
+  set_lane(dealii::Tensor<rank, dim, Pack> &tensors,
+           const unsigned int               lane,
+           const dealii::Tensor<rank, dim> &tensor)
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      set_lane(tensors[d], lane, tensor[d]);
+  }
 } // namespace Catena
 
 #endif

@@ -88,22 +88,29 @@ namespace Catena
 
 
 
-  /// The values of value_at() or gradient_at() at the points of a pack.
+  /// The results of @p function for the points of a pack.
+  template <typename Packs, int dim, typename Function>
+  Packs
+  at_points(const CellValues<dim>                      &values,
+            const typename CellValues<dim>::PackValues &pack,
+            const Function                             &function)
+  {
+    Packs result;
+    for (unsigned int k = 0; k < pack.n_points; ++k)
+      set_lane(result, k, function(values.points()[pack.first + k]));
+    return result;
+  }
+
   template <int dim>
   dealii::Tensor<1, dim, Pack>
   values_at(const CellValues<dim>                      &values,
             const typename CellValues<dim>::PackValues &pack,
             const NodeVectors<dim>                     &vectors)
   {
-    dealii::Tensor<1, dim, Pack> result;
-    for (unsigned int lane = 0; lane < pack.n_points; ++lane)
-      {
-        const auto value =
-          value_at<dim>(values.points()[pack.first + lane], vectors);
-        for (unsigned int d = 0; d < dim; ++d)
-          result[d][lane] = value[d];
-      }
-    return result;
+    return at_points<dealii::Tensor<1, dim, Pack>>(
+      values, pack, [&](const auto &point) {
+        return value_at<dim>(point, vectors);
+      });
   }
 
   template <int dim>
@@ -112,16 +119,10 @@ namespace Catena
                const typename CellValues<dim>::PackValues &pack,
                const NodeVectors<dim>                     &vectors)
   {
-    dealii::Tensor<2, dim, Pack> result;
-    for (unsigned int lane = 0; lane < pack.n_points; ++lane)
-      {
-        const auto gradient =
-          gradient_at<dim>(values.points()[pack.first + lane], vectors);
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int j = 0; j < dim; ++j)
-            result[i][j][lane] = gradient[i][j];
-      }
-    return result;
+    return at_points<dealii::Tensor<2, dim, Pack>>(
+      values, pack, [&](const auto &point) {
+        return gradient_at<dim>(point, vectors);
+      });
   }
 
 
