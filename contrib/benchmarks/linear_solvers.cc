@@ -6,8 +6,8 @@
  *   linear_solvers N_PART N_MIN STRAIN STEPS SOLVER...
  *
  * A simulation to STRAIN records its last STEPS steps (fewer if a new mesh was
- * made among them); every SOLVER then solves them from the same first guesses
- * to the same residual. It is one of
+ * made among them); every SOLVER then solves them from the same first guesses,
+ * if not said otherwise, to the same residual. It is one of
  *
  * - catena,
  * - ilut:FILL:DROP:metis|rcm:mixed|last: GMRES with incomplete factors of the
@@ -226,9 +226,16 @@ namespace
       : Solver(mesh, bodies, fluid)
       , words(Utilities::split_string_list(settings, ':'))
     {
-      AssertThrow(words[0] == "mumps" || words.size() == 5 ||
-                    (words.size() == 6 && words[5] == "extrapolated"),
+      AssertThrow(settings == "mumps" || words.size() == 5 ||
+                    (words.size() == 6 && !improves()),
                   ExcMessage("Unknown solver " + settings));
+    }
+
+    /// Do earlier solutions improve the first guesses?
+    bool
+    improves() const
+    {
+      return words.back() != "extrapolated";
     }
 
     void
@@ -398,7 +405,7 @@ namespace
       BlockVectorType       guess = first_guess(fields);
       const ContactBlocks   no_contacts;
       const double wanted = FlowSolverParameters().tolerance * rhs.l2_norm();
-      if (words.size() < 6)
+      if (improves())
         earlier_solutions.improve({*matrices, no_contacts}, rhs, wanted, guess);
       // one pressure is zero in the whole system
       guess.block(1).add(-guess.block(1)(system->zero_pressure()));

@@ -31,11 +31,8 @@ namespace Catena
     {
       for (unsigned int lane = 0; lane < pack.n_points; ++lane)
         {
-          Point<dim> x;
-          for (unsigned int a = 0; a < positions.size(); ++a)
-            x += values.points()[pack.first + lane].quadratic[a] *
-                 Tensor<1, dim>(positions[a]);
-          const SymmetricTensor<2, dim> value = source(x);
+          const SymmetricTensor<2, dim> value = source(
+            position_at<dim>(values.points()[pack.first + lane], positions));
           for (unsigned int k = 0; k < n_symmetric_components(dim); ++k)
             known.access_raw_entry(k)[lane] += value.access_raw_entry(k);
         }

@@ -175,11 +175,11 @@ namespace Catena
   {
     constexpr unsigned int n_nodes = FlowElement<dim>::n_nodes;
 
-    using NodeVectors = std::array<Tensor<1, dim>, n_nodes>;
     struct Columns
     {
       /// K m and K^T m for the nodes' motion m of a unit of the unknown
-      NodeVectors forward = {}, transposed = {};
+      std::array<std::array<double, n_nodes>, dim>     forward = {};
+      NodeVectors<dim>                                 transposed;
       std::array<double, FlowElement<dim>::n_vertices> divergence = {};
     };
     std::map<unsigned int, Columns> unknowns;
@@ -188,17 +188,17 @@ namespace Catena
         for (const auto &motion : element.couplings[b]->motions[j])
           {
             Columns &columns = unknowns[motion.first];
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              for (unsigned int i = 0; i < dim; ++i)
-                {
-                  columns.forward[a][i] +=
+            for (unsigned int i = 0; i < dim; ++i)
+              {
+                for (unsigned int a = 0; a < n_nodes; ++a)
+                  columns.forward[i][a] +=
                     element.velocity[i][j][a][b] * motion.second;
-                  columns.transposed[a][i] +=
-                    element.velocity[j][i][b][a] * motion.second;
-                }
+                columns.transposed.components[i].add(motion.second,
+                                                     element.velocity[j][i][b]);
+              }
             for (unsigned int v = 0; v < FlowElement<dim>::n_vertices; ++v)
               columns.divergence[v] +=
-                element.divergence[v][b][j] * motion.second;
+                element.divergence[v].components[j][b] * motion.second;
           }
 
     for (const auto &unknown : unknowns)
@@ -214,7 +214,7 @@ namespace Catena
               for (unsigned int i = 0; i < dim; ++i)
                 for (const auto &test : node.motions[i])
                   matrices.rigid_rigid(test.first, k) +=
-                    test.second * columns.forward[a][i];
+                    test.second * columns.forward[i][a];
             const int row =
               matrices.velocity_rigid_access.row(dim * node.master);
             if (!node.has_unknown() || row == CsrAccess::absent)
@@ -222,11 +222,11 @@ namespace Catena
             for (unsigned int i = 0; i < dim; ++i)
               {
                 matrices.velocity_rigid_access.add(
-                  row + i, column, node.factors[i] * columns.forward[a][i]);
-                matrices.rigid_velocity_access.add(row + i,
-                                                   column_transposed,
-                                                   node.factors[i] *
-                                                     columns.transposed[a][i]);
+                  row + i, column, node.factors[i] * columns.forward[i][a]);
+                matrices.rigid_velocity_access.add(
+                  row + i,
+                  column_transposed,
+                  node.factors[i] * columns.transposed.components[i][a]);
               }
           }
         for (unsigned int v = 0; v < FlowElement<dim>::n_vertices; ++v)

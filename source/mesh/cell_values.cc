@@ -43,8 +43,7 @@ namespace Catena
           std::min<unsigned int>(pack_size, values.size() - pack.first);
         for (unsigned int lane = 0; lane < pack_size; ++lane)
           for (unsigned int v = 0; v < n_vertices; ++v)
-            pack.linear[v][lane] =
-              values[pack.first + std::min(lane, pack.n_points - 1)].linear[v];
+            pack.linear[v][lane] = point(pack, lane).linear[v];
       }
   }
 
@@ -58,17 +57,14 @@ namespace Catena
   {
     for (PackValues &pack : packs)
       {
-        const auto point = [&](const unsigned int lane) -> const PointValues & {
-          return values[pack.first + std::min(lane, pack.n_points - 1)];
-        };
         pack.JxW = Pack([&](const unsigned int lane) {
-          return lane < pack.n_points ? point(lane).JxW : 0.;
+          return lane < pack.n_points ? point(pack, lane).JxW : 0.;
         });
         for (unsigned int v = 0; v < n_vertices; ++v)
           for (unsigned int d = 0; d < dim; ++d)
             pack.linear_gradient[v][d] =
               curved ? Pack([&](const unsigned int lane) {
-                return point(lane).linear_gradient[v][d];
+                return point(pack, lane).linear_gradient[v][d];
               }) :
                        Pack(values[0].linear_gradient[v][d]);
       }

@@ -221,9 +221,7 @@ namespace Catena
         cell_values.reinit(nodes, cell.curved);
         for (const auto &point : cell_values.points())
           {
-            Point<dim> x;
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              x += point.quadratic[a] * Tensor<1, dim>(nodes[a]);
+            const auto  x = position_at<dim>(point, nodes);
             double      violation;
             const Place place  = find(x, violation);
             const auto  shapes = barycentric_coordinates<dim>(place.unit);

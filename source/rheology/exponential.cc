@@ -120,9 +120,9 @@ namespace Catena
     /// x = y where the condition holds
     template <int dim>
     void
-    replace(const typename Pack::mask_type &condition,
-            Tensors<dim>                   &x,
-            const Tensors<dim>             &y)
+    replace(const Pack::mask_type &condition,
+            Tensors<dim>          &x,
+            const Tensors<dim>    &y)
     {
       for (unsigned int k = 0; k < n_entries<dim>; ++k)
         where(condition, x.access_raw_entry(k)) = y.access_raw_entry(k);
@@ -130,9 +130,9 @@ namespace Catena
 
     template <int dim>
     void
-    replace(const typename Pack::mask_type &condition,
-            ValueAndDerivative<dim>        &x,
-            const ValueAndDerivative<dim>  &y)
+    replace(const Pack::mask_type         &condition,
+            ValueAndDerivative<dim>       &x,
+            const ValueAndDerivative<dim> &y)
     {
       replace<dim>(condition, x.value, y.value);
       replace<dim>(condition, x.derivative, y.derivative);
@@ -171,21 +171,21 @@ namespace Catena
 
 
 
-    /**
-     * The exponential of @p x, which is s and what goes with it.
-     * @param largest norm that needs no squaring
-     */
+    /// The exponential of @p x, which is s and what goes with it.
     template <int dim, typename Element>
     Element
-    scale_and_square(const Tensors<dim> &s, const double largest, Element x)
+    scale_and_square(const Tensors<dim> &s,
+                     const double        norm_without_squaring,
+                     Element             x)
     {
       const Pack norm        = min(sqrt(s * s), Pack(largest_norm));
       Pack       n_squarings = 0., factor = 1.;
-      for (auto is_large = norm > largest; any_of(is_large);
-           is_large      = factor * norm > largest)
+      while (any_of(factor * norm > norm_without_squaring))
         {
-               where(is_large, n_squarings) += 1.;
-               where(is_large, factor) *= 0.5;
+          const Pack::mask_type is_large =
+            factor * norm > norm_without_squaring;
+          where(is_large, n_squarings) += 1.;
+          where(is_large, factor) *= 0.5;
         }
       scale<dim>(x, factor);
 

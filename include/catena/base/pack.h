@@ -1,7 +1,8 @@
 #ifndef catena_base_pack_h
 #define catena_base_pack_h
 
-#include <deal.II/base/template_constraints.h>
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
 
 #include <experimental/simd>
 
@@ -18,13 +19,10 @@ namespace Catena
   constexpr unsigned int pack_size = Pack::size();
 
   /// Lane by lane, @p yes where @p condition holds, else @p no.
-  template <typename Abi>
-  std::experimental::simd<double, Abi>
-  select(const std::experimental::simd_mask<double, Abi> &condition,
-         const std::experimental::simd<double, Abi>      &yes,
-         const std::experimental::simd<double, Abi>      &no)
+  inline Pack
+  select(const Pack::mask_type &condition, const Pack &yes, const Pack &no)
   {
-    auto result              = no;
+    Pack result              = no;
     where(condition, result) = yes;
     return result;
   }
@@ -48,19 +46,17 @@ namespace dealii
   };
 } // namespace dealii
 
-#include <deal.II/base/symmetric_tensor.h>
-
 namespace Catena
 {
   /// One of the tensors of a pack.
   template <int dim>
   dealii::SymmetricTensor<2, dim>
   lane(const dealii::SymmetricTensor<2, dim, Pack> &tensors,
-       const unsigned int                           lane)
+       const unsigned int                           k)
   {
     dealii::SymmetricTensor<2, dim> tensor;
-    for (unsigned int k = 0; k < tensor.n_independent_components; ++k)
-      tensor.access_raw_entry(k) = tensors.access_raw_entry(k)[lane];
+    for (unsigned int i = 0; i < tensor.n_independent_components; ++i)
+      tensor.access_raw_entry(i) = tensors.access_raw_entry(i)[k];
     return tensor;
   }
 
@@ -68,27 +64,27 @@ namespace Catena
   template <int dim>
   void
   set_lane(dealii::SymmetricTensor<2, dim, Pack> &tensors,
-           const unsigned int                     lane,
+           const unsigned int                     k,
            const dealii::SymmetricTensor<2, dim> &tensor)
   {
-    for (unsigned int k = 0; k < tensor.n_independent_components; ++k)
-      tensors.access_raw_entry(k)[lane] = tensor.access_raw_entry(k);
+    for (unsigned int i = 0; i < tensor.n_independent_components; ++i)
+      tensors.access_raw_entry(i)[k] = tensor.access_raw_entry(i);
   }
 
   inline void
-  set_lane(Pack &numbers, const unsigned int lane, const double number)
+  set_lane(Pack &numbers, const unsigned int k, const double number)
   {
-    numbers[lane] = number;
+    numbers[k] = number;
   }
 
   template <int rank, int dim>
   void
   set_lane(dealii::Tensor<rank, dim, Pack> &tensors,
-           const unsigned int               lane,
+           const unsigned int               k,
            const dealii::Tensor<rank, dim> &tensor)
   {
     for (unsigned int d = 0; d < dim; ++d)
-      set_lane(tensors[d], lane, tensor[d]);
+      set_lane(tensors[d], k, tensor[d]);
   }
 } // namespace Catena
 

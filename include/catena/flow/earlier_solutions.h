@@ -16,12 +16,12 @@ namespace Catena
    *
    *   x = x_0 + sum_i alpha_i (x_i - x_0)
    *
-   * it becomes the one with the smallest residual |b - A x|. That is at least
-   * as good as every extrapolation in time through these solutions, but for
-   * directions that would change the residual by less than a thousandth of it,
-   * and costs one product with A for each. Contact forces take part where there
-   * are as many contacts as there were. The newest come first, and no more take
-   * part than it needs for a residual that is small enough.
+   * it becomes the one with the smallest residual |b - A x|, where i runs from
+   * the newest solution to the one with which that is small enough. With all of
+   * them it is at least as good as every extrapolation in time through these
+   * solutions, but for directions that would change the residual by less than a
+   * thousandth of it. Each costs one product with A. Contact forces take part
+   * where there are as many contacts as there were.
    */
   template <int dim>
   class EarlierSolutions
@@ -39,7 +39,10 @@ namespace Catena
     void
     remember(const BlockVectorType &solution);
 
-    /// @param wanted residual that is small enough
+    /**
+     * Improve @p guess until its residual is at most @p wanted or no solution
+     * is left.
+     */
     void
     improve(const FlowOperator<dim> &system,
             const BlockVectorType   &rhs,

@@ -3,6 +3,7 @@
 
 #include <catena/flow/node_couplings.h>
 #include <catena/flow/stress_model.h>
+#include <catena/mesh/cell_fields.h>
 #include <catena/mesh/cell_values.h>
 #include <catena/mesh/moving_mesh.h>
 
@@ -157,9 +158,7 @@ namespace Catena
                    const typename CellValues<dim>::NodePositions &positions,
                    const dealii::Function<dim>                   &force)
     {
-      dealii::Point<dim> x;
-      for (unsigned int a = 0; a < n_nodes; ++a)
-        x += point.quadratic[a] * dealii::Tensor<1, dim>(positions[a]);
+      const dealii::Point<dim> x = position_at<dim>(point, positions);
       for (unsigned int i = 0; i < dim; ++i)
         {
           const double f = point.JxW * force.value(x, i);
@@ -173,9 +172,8 @@ namespace Catena
     {
       NodeVectors<dim> known;
       for (unsigned int b = 0; b < n_nodes; ++b)
-        known.set(b,
-                  dealii::Tensor<1, dim>(dealii::ArrayView<const double>(
-                    couplings[b]->known.data(), dim)));
+        for (unsigned int d = 0; d < dim; ++d)
+          known.components[d].set(b, couplings[b]->known[d]);
       for (unsigned int a = 0; a < n_nodes; ++a)
         {
           dealii::Tensor<1, dim> force = rhs[a];

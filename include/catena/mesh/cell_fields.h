@@ -58,6 +58,20 @@ namespace Catena
 
 
 
+  /// Where a point is in a cell with these nodes.
+  template <int dim>
+  dealii::Point<dim>
+  position_at(const typename CellValues<dim>::PointValues   &point,
+              const typename CellValues<dim>::NodePositions &nodes)
+  {
+    dealii::Point<dim> position;
+    for (unsigned int a = 0; a < nodes.size(); ++a)
+      position += point.quadratic[a] * dealii::Tensor<1, dim>(nodes[a]);
+    return position;
+  }
+
+
+
   /// Value at a point of the vector field with these values at the nodes.
   template <int dim>
   dealii::Tensor<1, dim>
@@ -88,7 +102,7 @@ namespace Catena
 
 
 
-  /// The results of @p function for the points of a pack.
+  /// The results of @p function for the points of a pack, zero in lanes beyond.
   template <typename Packs, int dim, typename Function>
   Packs
   at_points(const CellValues<dim>                      &values,
@@ -101,6 +115,7 @@ namespace Catena
     return result;
   }
 
+  /// value_at() of all points of a pack.
   template <int dim>
   dealii::Tensor<1, dim, Pack>
   values_at(const CellValues<dim>                      &values,
@@ -113,6 +128,7 @@ namespace Catena
       });
   }
 
+  /// gradient_at() of all points of a pack.
   template <int dim>
   dealii::Tensor<2, dim, Pack>
   gradients_at(const CellValues<dim>                      &values,
@@ -176,7 +192,6 @@ namespace Catena
       rate += abs(w * gradient);
     return rate;
   }
-
 } // namespace Catena
 
 #endif

@@ -9,6 +9,7 @@
 #include <deal.II/base/quadrature.h>
 #include <deal.II/base/tensor.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -43,8 +44,8 @@ namespace Catena
 
     /**
      * What is known of the linear shape functions at some points at once,
-     * those from number @p first on. Lanes beyond the last point are like it,
-     * with a JxW of zero.
+     * those from number @p first on. Lanes beyond the last point have its shape
+     * functions and a JxW of zero.
      */
     struct PackValues
     {
@@ -95,6 +96,13 @@ namespace Catena
 
       void
       tabulate(const dealii::Quadrature<dim> &quadrature);
+
+      /// The point of a lane, the last one for lanes beyond.
+      const PointValues &
+      point(const PackValues &pack, const unsigned int lane) const
+      {
+        return values[pack.first + std::min(lane, pack.n_points - 1)];
+      }
 
       void
       update_packs(const bool curved);

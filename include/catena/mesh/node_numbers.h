@@ -1,59 +1,54 @@
 #ifndef catena_mesh_node_numbers_h
 #define catena_mesh_node_numbers_h
 
+#include <catena/base/pack.h>
 #include <catena/base/types.h>
 
-#include <deal.II/base/tensor.h>
-
 #include <array>
-
-#include <experimental/simd>
 
 namespace Catena
 {
   /**
-   * A number for each P2 node of a cell, in whole registers of the processor;
-   * those beyond the nodes are zero.
+   * A number for each P2 node of a cell, some at once; those beyond the nodes
+   * are zero.
    */
   template <int dim>
   struct NodeNumbers
   {
-    using Register = std::experimental::native_simd<double>;
+    static constexpr unsigned int n_nodes = n_quadratic_nodes(dim);
+    static constexpr unsigned int n_packs =
+      (n_nodes + pack_size - 1) / pack_size;
 
-    static constexpr unsigned int n_nodes     = n_quadratic_nodes(dim);
-    static constexpr unsigned int width       = Register::size();
-    static constexpr unsigned int n_registers = (n_nodes + width - 1) / width;
-
-    std::array<Register, n_registers> registers = {};
+    std::array<Pack, n_packs> packs = {};
 
     double
     operator[](const unsigned int a) const
     {
-      return registers[a / width][a % width];
+      return packs[a / pack_size][a % pack_size];
     }
 
     void
     set(const unsigned int a, const double value)
     {
-      registers[a / width][a % width] = value;
+      packs[a / pack_size][a % pack_size] = value;
     }
 
     /// this += factor x
     void
     add(const double factor, const NodeNumbers &x)
     {
-      for (unsigned int r = 0; r < n_registers; ++r)
-        registers[r] += factor * x.registers[r];
+      for (unsigned int k = 0; k < n_packs; ++k)
+        packs[k] += factor * x.packs[k];
     }
 
     /// The sum of the products over the nodes.
     double
     operator*(const NodeNumbers &x) const
     {
-      Register sum = registers[0] * x.registers[0];
-      for (unsigned int r = 1; r < n_registers; ++r)
-        sum += registers[r] * x.registers[r];
-      return std::experimental::reduce(sum);
+      Pack sum = packs[0] * x.packs[0];
+      for (unsigned int k = 1; k < n_packs; ++k)
+        sum += packs[k] * x.packs[k];
+      return reduce(sum);
     }
   };
 

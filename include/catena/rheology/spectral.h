@@ -18,8 +18,8 @@ namespace Catena
    * The eigenvalues are in no particular order. @p vectors is orthogonal to
    * rounding also where eigenvalues are equal; it may be a reflection.
    *
-   * This and all functions of tensors below are for one tensor or, with a Pack
-   * in place of a number, for some at once.
+   * This and all functions of tensors below but logarithm() are for one tensor
+   * or, with a Pack in place of a number, for some at once.
    */
   template <int dim, typename Number = double>
   struct SpectralDecomposition
