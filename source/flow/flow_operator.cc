@@ -1,8 +1,6 @@
 #include <catena/base/replicated.h>
 #include <catena/flow/flow_operator.h>
 
-#include <deal.II/base/mpi.h>
-
 namespace Catena
 {
   using namespace dealii;
@@ -12,33 +10,25 @@ namespace Catena
   FlowOperator<dim>::vmult(BlockVectorType       &dst,
                            const BlockVectorType &src) const
   {
-    if (precision == Precision::single_precision)
-      {
-        matrices.fast_velocity.vmult(dst.block(0), src.block(0));
-        matrices.fast_gradient.vmult_add(dst.block(0), src.block(1));
-        matrices.fast_divergence.vmult(dst.block(1), src.block(0));
-      }
-    else
-      {
-        matrices.velocity.vmult(dst.block(0), src.block(0));
-        matrices.gradient.vmult_add(dst.block(0), src.block(1));
-        matrices.divergence.vmult(dst.block(1), src.block(0));
-      }
-    if (matrices.n_rigid() == 0)
-      return;
-    const std::vector<double> motions = replicate(src.block(2));
-    std::vector<double>       contact_forces, forces(motions.size());
+    std::vector<double> motions, forces, contact_forces;
+    if (src.n_blocks() > 2)
+      motions = replicate(src.block(2));
     if (src.n_blocks() > 3)
       contact_forces = replicate(src.block(3));
-    matrices.velocity_rigid_product.vmult_add(dst.block(0), motions);
-    matrices.pressure_rigid_product.vmult_add(dst.block(1), motions);
-    matrices.rigid_velocity_product.Tvmult_add(forces, src.block(0));
-    matrices.pressure_rigid_product.Tvmult_add(forces, src.block(1));
-    Utilities::MPI::sum(forces, src.block(0).get_mpi_communicator(), forces);
+    const typename FlowSystem<dim>::Equations left{dst.block(0),
+                                                   dst.block(1),
+                                                   forces};
+    const typename FlowSystem<dim>::Unknowns  unknowns{src.block(0),
+                                                      src.block(1),
+                                                      motions};
+    if (precision == Precision::single_precision)
+      system.fast_vmult(left, unknowns);
+    else
+      system.vmult(left, unknowns);
+    if (motions.empty())
+      return;
     for (const auto k : dst.block(2).locally_owned_elements())
       {
-        for (unsigned int l = 0; l < motions.size(); ++l)
-          forces[k] += matrices.rigid_rigid(k, l) * motions[l];
         for (unsigned int c = 0; c < contact_forces.size(); ++c)
           forces[k] -=
             contacts.shares[c] * contacts.rates(c, k) * contact_forces[c];

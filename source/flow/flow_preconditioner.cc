@@ -18,6 +18,36 @@ namespace Catena
     }
 
     constexpr unsigned int strong_iterations = 5;
+
+
+
+    /// A of FlowSystem, the part of the velocities.
+    template <int dim>
+    class VelocityBlock
+    {
+    public:
+      VelocityBlock(const FlowSystem<dim> &system,
+                    const VectorType      &zero_pressure)
+        : system(system)
+        , zero_pressure(zero_pressure)
+        , pressure_equations(zero_pressure)
+        , no_motions(system.n_rigid(), 0.)
+      {}
+
+      void
+      vmult(VectorType &dst, const VectorType &src) const
+      {
+        system.fast_vmult({dst, pressure_equations, motion_equations},
+                          {src, zero_pressure, no_motions});
+      }
+
+    private:
+      const FlowSystem<dim>      &system;
+      const VectorType           &zero_pressure;
+      mutable VectorType          pressure_equations;
+      const std::vector<double>   no_motions;
+      mutable std::vector<double> motion_equations;
+    };
   } // namespace
 
 
@@ -27,7 +57,7 @@ namespace Catena
   FlowPreconditioner<dim>::set_up_cost() const
   {
     constexpr unsigned int multigrid = 10;
-    const unsigned int     n         = matrices->n_rigid();
+    const unsigned int     n         = system->n_rigid();
     return multigrid + n * (response_iterations(n) + 1);
   }
 
@@ -38,15 +68,17 @@ namespace Catena
   FlowPreconditioner<dim>::initialize(
     const MovingMesh<dim>                &mesh,
     const std::vector<NodeCoupling<dim>> &couplings,
-    const FlowMatrices<dim>              &new_matrices)
+    const FlowSystem<dim>                &new_system,
+    const PreconditionerMatrices<dim>    &new_matrices)
   {
+    system   = &new_system;
     matrices = &new_matrices;
     strong   = false;
 
     multigrid = VelocityMultigrid<dim>(mesh, couplings, new_matrices);
-    velocity_src.reinit(matrices->velocity_rhs);
-    pressure_src.reinit(matrices->pressure_rhs);
-    pressure_dst.reinit(matrices->pressure_rhs);
+    velocity_src.reinit(system->velocity_rhs);
+    pressure_src.reinit(system->pressure_rhs);
+    pressure_dst.reinit(system->pressure_rhs);
 
     initialize_mass();
     initialize_rigid();
@@ -62,10 +94,9 @@ namespace Catena
   {
     dst = 0.;
     IterationNumberControl control(steps, 1e-12);
-    SolverGMRES<VectorType>(control).solve(matrices->fast_velocity,
-                                           dst,
-                                           src,
-                                           multigrid);
+    pressure_src = 0.;
+    SolverGMRES<VectorType>(control).solve(
+      VelocityBlock<dim>(*system, pressure_src), dst, src, multigrid);
   }
 
 
@@ -96,29 +127,41 @@ namespace Catena
   void
   FlowPreconditioner<dim>::initialize_rigid()
   {
-    const unsigned int n = matrices->n_rigid();
+    const unsigned int n = system->n_rigid();
     rigid_responses.clear();
-    rigid_schur = matrices->rigid_rigid;
-    if (n == 0)
-      return;
+    velocity_reactions.clear();
+    pressure_reactions.clear();
+    rigid_schur.reinit(n, n);
 
-    VectorType column(velocity_src), response(velocity_src);
+    VectorType zero_velocity(velocity_src), column(velocity_src),
+      response(velocity_src);
+    zero_velocity = 0.;
     for (unsigned int k = 0; k < n; ++k)
       {
-        std::vector<double> unit(n, 0.);
-        unit[k] = 1.;
-        column  = 0.;
-        matrices->velocity_rigid_product.vmult_add(column, unit);
-
+        std::vector<double> unit(n, 0.), forces;
+        unit[k]      = 1.;
+        pressure_src = 0.;
+        const typename FlowSystem<dim>::Unknowns motion{zero_velocity,
+                                                        pressure_src,
+                                                        unit};
+        system->fast_Tvmult({column, pressure_dst, forces}, motion);
+        velocity_reactions.add(column);
+        pressure_reactions.add(pressure_dst);
+        system->fast_vmult({column, pressure_dst, forces}, motion);
+        for (unsigned int l = 0; l < n; ++l)
+          rigid_schur(l, k) = forces[l];
         solve_velocity(response, column, response_iterations(n));
         rigid_responses.push_back(response);
-        std::vector<double> reaction(n);
-        matrices->rigid_velocity_product.Tvmult_add(reaction, response);
-        Utilities::MPI::sum(reaction,
-                            response.get_mpi_communicator(),
-                            reaction);
+      }
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        std::vector<double> reactions(n);
+        velocity_reactions.add_to(reactions, rigid_responses[k]);
+        Utilities::MPI::sum(reactions,
+                            velocity_src.get_mpi_communicator(),
+                            reactions);
         for (unsigned int l = 0; l < n; ++l)
-          rigid_schur(l, k) -= reaction[l];
+          rigid_schur(l, k) -= reactions[l];
       }
     set_contacts(ContactBlocks());
   }
@@ -158,19 +201,19 @@ namespace Catena
 
     velocity_src = src.block(0);
     velocity_src *= -1.;
-    matrices->fast_gradient.vmult_add(velocity_src, dst.block(1));
+    matrices->gradient.vmult_add(velocity_src, dst.block(1));
     velocity_src *= -1.;
     if (strong)
       solve_velocity(dst.block(0), velocity_src, strong_iterations);
     else
       multigrid.vmult(dst.block(0), velocity_src);
 
-    const unsigned int n = matrices->n_rigid();
+    const unsigned int n = system->n_rigid();
     if (n == 0)
       return;
     std::vector<double> small = replicate(src.block(2)), forces(n);
-    matrices->pressure_rigid_product.Tvmult_add(forces, dst.block(1));
-    matrices->rigid_velocity_product.Tvmult_add(forces, dst.block(0));
+    pressure_reactions.add_to(forces, dst.block(1));
+    velocity_reactions.add_to(forces, dst.block(0));
     Utilities::MPI::sum(forces, src.block(0).get_mpi_communicator(), forces);
     for (unsigned int k = 0; k < n; ++k)
       small[k] -= forces[k];

@@ -57,6 +57,9 @@ namespace Catena
     /// one gives at least
     constexpr double largest_reduction = 1e-6, smallest_progress = 0.5;
 
+    /// rounding in double precision against that in single
+    constexpr double double_to_single = 1e-8;
+
     /// of the wanted residual, what single precision aims at
     constexpr double solver_share = 0.9;
   } // namespace
@@ -81,7 +84,12 @@ namespace Catena
     bodies = &new_bodies;
     held   = held_in_place;
     set_configuration(new_configuration);
-    matrices = std::make_unique<FlowMatrices<dim>>(*mesh, *bodies, couplings);
+    // the former ones first: together they would take twice the memory
+    system.reset();
+    preconditioner_matrices.reset();
+    system = std::make_unique<FlowSystem<dim>>(*mesh, *bodies, couplings);
+    preconditioner_matrices =
+      std::make_unique<PreconditionerMatrices<dim>>(*mesh, couplings);
     preconditioner_is_due = true;
     earlier_solutions.clear();
   }
@@ -98,7 +106,7 @@ namespace Catena
     last_stress = &stress;
     last_force  = body_force;
     earlier_solutions.begin_instant();
-    assemble_matrices();
+    assemble_system();
   }
 
 
@@ -131,26 +139,35 @@ namespace Catena
   FlowUnknowns<dim>
   FlowSolver<dim>::unknowns() const
   {
-    return {*mesh, *bodies, configuration, held, couplings, *matrices};
+    return {*mesh, *bodies, configuration, held, couplings, *system};
   }
 
 
 
   template <int dim>
   void
-  FlowSolver<dim>::assemble_matrices()
+  FlowSolver<dim>::assemble_system()
   {
-    FlowAssembly<dim>(*mesh, *bodies, couplings, *matrices)
-      .assemble(*last_stress,
-                configuration.shear_rate * mesh->scene().imposed_gradient(),
-                preconditioner_is_due,
-                last_force);
-    if (!std::isfinite(matrices->velocity_rhs.l2_norm()))
+    assemble_flow(*mesh,
+                  couplings,
+                  *last_stress,
+                  configuration.shear_rate * mesh->scene().imposed_gradient(),
+                  *system,
+                  preconditioner_is_due ? preconditioner_matrices.get() :
+                                          nullptr,
+                  last_force);
+    if (!std::isfinite(system->velocity_rhs.l2_norm()))
       throw SolverError("The stress has values that are not finite: use a "
                         "smaller time step or a finer mesh.");
     preconditioner_is_fresh = preconditioner_is_due;
     if (preconditioner_is_due)
-      preconditioner.initialize(*mesh, couplings, *matrices);
+      {
+        preconditioner.initialize(*mesh,
+                                  couplings,
+                                  *system,
+                                  *preconditioner_matrices);
+        preconditioner_matrices->release_components();
+      }
     preconditioner_is_due = false;
   }
 
@@ -180,7 +197,12 @@ namespace Catena
     forces.resize(contacts.size());
     const BlockVectorType solution = unknowns().first_guess(fields, forces);
     BlockVectorType       left     = unknowns().make_vector(contacts.size());
-    FlowOperator<dim>{*matrices, blocks}.vmult(left, solution);
+    BlockVectorType       rounded  = left;
+    using Operator                 = FlowOperator<dim>;
+    Operator{*system, blocks}.vmult(left, solution);
+    Operator{*system, blocks, Operator::Precision::single_precision}.vmult(
+      rounded, solution);
+    rounded -= left;
     left -= rhs;
     if (contacts.size() > 0)
       for (const auto c : left.block(3).locally_owned_elements())
@@ -190,7 +212,7 @@ namespace Catena
     FlowResidual result;
     result.norm            = left.l2_norm();
     result.right_hand_side = rhs.l2_norm();
-    result.rounding        = 1e-15 * matrices->velocity.frobenius_norm();
+    result.rounding        = double_to_single * rounded.l2_norm();
     return result;
   }
 
@@ -207,13 +229,13 @@ namespace Catena
                            const ContactBlocks   &contacts)
   {
     using Operator = FlowOperator<dim>;
-    const Operator system{*matrices, contacts},
-      fast_system{*matrices, contacts, Operator::Precision::single_precision};
+    const Operator whole_system{*system, contacts},
+      fast_system{*system, contacts, Operator::Precision::single_precision};
     preconditioner.set_contacts(contacts);
 
     BlockVectorType residual(rhs), correction(rhs);
     const auto      find_residual = [&]() {
-      system.vmult(residual, solution);
+      whole_system.vmult(residual, solution);
       residual.sadd(-1., 1., rhs);
       return residual.l2_norm();
     };
@@ -370,7 +392,7 @@ namespace Catena
       {
         ++repeated.with_fresh_preconditioner;
         preconditioner_is_due = true;
-        assemble_matrices();
+        assemble_system();
         return true;
       }
     if (!preconditioner.is_strong())
@@ -413,7 +435,7 @@ namespace Catena
   FlowSolver<dim>::n_unknowns() const
   {
     return mesh->vector_dofs().n_dofs() + mesh->scalar_dofs().n_dofs() +
-           matrices->n_rigid();
+           system->n_rigid();
   }
 
 

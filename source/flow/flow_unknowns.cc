@@ -29,7 +29,7 @@ namespace Catena
   FlowUnknowns<dim>::make_vector(const unsigned int n_contacts) const
   {
     const MPI_Comm comm    = mesh.communicator();
-    const unsigned n_rigid = matrices.n_rigid();
+    const unsigned n_rigid = system.n_rigid();
     const auto     on_root = [&](const unsigned int n) {
       IndexSet set(n);
       if (Utilities::MPI::this_mpi_process(comm) == 0)
@@ -37,8 +37,8 @@ namespace Catena
       return VectorType(set, comm);
     };
     BlockVectorType vector(n_rigid == 0 ? 2 : (n_contacts == 0 ? 3 : 4));
-    vector.block(0).reinit(matrices.velocity_rhs);
-    vector.block(1).reinit(matrices.pressure_rhs);
+    vector.block(0).reinit(system.velocity_rhs);
+    vector.block(1).reinit(system.pressure_rhs);
     if (n_rigid > 0)
       vector.block(2).reinit(on_root(n_rigid));
     if (n_contacts > 0)
@@ -60,7 +60,7 @@ namespace Catena
 
     ContactBlocks blocks;
     if (m > 0)
-      blocks.rates.reinit(m, matrices.n_rigid());
+      blocks.rates.reinit(m, system.n_rigid());
     blocks.given.assign(m, 0.);
     for (unsigned int c = 0; c < m; ++c)
       {
@@ -84,13 +84,13 @@ namespace Catena
     const std::vector<double> &external_forces) const
   {
     BlockVectorType rhs = make_vector(contacts.n_contacts());
-    rhs.block(0)        = matrices.velocity_rhs;
-    rhs.block(1)        = matrices.pressure_rhs;
+    rhs.block(0)        = system.velocity_rhs;
+    rhs.block(1)        = system.pressure_rhs;
     // the flux through the boundary vanishes up to rounding
     rhs.block(1).add(-rhs.block(1).mean_value());
-    if (matrices.n_rigid() > 0)
+    if (system.n_rigid() > 0)
       {
-        std::vector<double> forces = matrices.rigid_rhs;
+        std::vector<double> forces = system.rigid_rhs;
         for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)
           if (bodies.is_free(k))
             forces[k] += bodies.meshed_share(k) * external_forces[k];
@@ -121,7 +121,7 @@ namespace Catena
     for (const auto vertex : mesh.owned_scalars())
       if (mesh.vertex_master(vertex) == vertex)
         guess.block(1)(vertex) = fields.pressure(vertex);
-    if (matrices.n_rigid() > 0)
+    if (system.n_rigid() > 0)
       set_replicated(guess.block(2), global_unknowns(fields));
     if (forces.size() > 0)
       set_replicated(guess.block(3), forces);
@@ -150,7 +150,7 @@ namespace Catena
   void
   FlowUnknowns<dim>::normalise_pressure(VectorType &pressure) const
   {
-    const VectorType &volumes = matrices.vertex_volumes;
+    const VectorType &volumes = system.vertex_volumes;
     const double      mean =
       (pressure * volumes) / (volumes.mean_value() * volumes.size());
     for (const auto i : volumes.locally_owned_elements())
@@ -165,7 +165,7 @@ namespace Catena
                                       FlowFields<dim>       &fields) const
   {
     std::vector<double> motions;
-    if (matrices.n_rigid() > 0)
+    if (system.n_rigid() > 0)
       motions = replicate(solution.block(2));
     if (mesh.scene().pressure_driven())
       fields.pressure_drop = motions.back();

@@ -11,7 +11,7 @@ namespace Catena
 
     /// The rows of this rank in single precision.
     SparseRows
-    owned_rows(const BlockMatrix<1, 1, double> &matrix)
+    owned_rows(const BlockMatrix<1> &matrix)
     {
       const BlockPattern &pattern = matrix.pattern();
       SparseRows          rows;
@@ -35,7 +35,7 @@ namespace Catena
   VelocityMultigrid<dim>::VelocityMultigrid(
     const MovingMesh<dim>                &mesh,
     const std::vector<NodeCoupling<dim>> &couplings,
-    const FlowMatrices<dim>              &matrices)
+    const PreconditionerMatrices<dim>    &matrices)
   {
     const MPI_Comm   comm = mesh.communicator();
     const SparseRows shared_rows =

@@ -73,10 +73,21 @@ namespace Catena
 
 
   template <int dim>
+  Quadrature<dim>
+  CellValues<dim>::rule(const bool curved)
+  {
+    if (curved)
+      return QWitherdenVincentSimplex<dim>(3);
+    return QGaussSimplex<dim>(2);
+  }
+
+
+
+  template <int dim>
   CellValues<dim>::CellValues()
   {
-    straight_rule.tabulate(QGaussSimplex<dim>(2));
-    curved_rule.tabulate(QWitherdenVincentSimplex<dim>(3));
+    straight_rule.tabulate(rule(false));
+    curved_rule.tabulate(rule(true));
   }
 
 

@@ -10,15 +10,14 @@
 namespace Catena
 {
   /**
-   * A matrix between vector fields of @p n_rows and @p n_columns components,
-   * the degrees of freedom of a node one after the other. For each pair of
-   * coupled nodes there is one block and one index, and what a cell adds to it
-   * lies side by side.
+   * A matrix from a scalar field to one of @p n_rows components, the degrees of
+   * freedom of a node one after the other. For each pair of coupled nodes there
+   * is one block and one index, and what a cell adds to it lies side by side.
    *
-   * Products are bound by memory: with entries in single precision they take
-   * half the time. Sums are in double precision in any case.
+   * Products are bound by memory: entries are in single, sums in double
+   * precision.
    */
-  template <int n_rows, int n_columns, typename Number>
+  template <int n_rows>
   class BlockMatrix
   {
   public:
@@ -33,27 +32,21 @@ namespace Catena
       return *block_pattern;
     }
 
-    std::shared_ptr<const BlockPattern>
-    shared_pattern() const
-    {
-      return block_pattern;
-    }
-
-    /// The entries of a block of the pattern, column by column.
-    Number *
+    /// The entries of a block of the pattern.
+    float *
     block(const unsigned int k)
     {
-      return entries.data() + std::size_t(k) * n_rows * n_columns;
+      return entries.data() + std::size_t(k) * n_rows;
     }
 
-    const Number *
+    const float *
     block(const unsigned int k) const
     {
-      return entries.data() + std::size_t(k) * n_rows * n_columns;
+      return entries.data() + std::size_t(k) * n_rows;
     }
 
     /// Block number @p offset of a row.
-    Number *
+    float *
     block(const unsigned int row, const unsigned int offset)
     {
       return block(block_pattern->row_start(row) + offset);
@@ -63,36 +56,19 @@ namespace Catena
     void
     clear();
 
-    /// Take over pattern and entries.
-    template <typename OtherNumber>
-    BlockMatrix &
-    operator=(const BlockMatrix<n_rows, n_columns, OtherNumber> &other);
-
-    /// dst = A src
-    void
-    vmult(VectorType &dst, const VectorType &src) const;
-
     /// dst += A src
     void
     vmult_add(VectorType &dst, const VectorType &src) const;
 
-    /// That of the rows of all ranks.
-    double
-    frobenius_norm() const;
-
   private:
     std::shared_ptr<const BlockPattern> block_pattern;
-    std::vector<Number>                 entries;
+    std::vector<float>                  entries;
 
     /// has the ghosts of the columns, if there are other ranks
     mutable VectorType ghosted_src;
 
     const double *
     column_values(const VectorType &src) const;
-
-    template <bool add>
-    void
-    multiply(VectorType &dst, const VectorType &src) const;
   };
 } // namespace Catena
 

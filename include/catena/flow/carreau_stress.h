@@ -43,6 +43,12 @@ namespace Catena
                   const VectorType   &velocity,
                   const Linearisation linearisation);
 
+    bool
+    has_tangent() const override
+    {
+      return linearisation == Linearisation::newton;
+    }
+
     void
     evaluate(const typename MovingMesh<dim>::Cell &cell,
              const CellValues<dim>                &values,

@@ -1,7 +1,9 @@
 #ifndef catena_flow_flow_preconditioner_h
 #define catena_flow_flow_preconditioner_h
 
-#include <catena/flow/flow_matrices.h>
+#include <catena/flow/flow_system.h>
+#include <catena/flow/preconditioner_matrices.h>
+#include <catena/flow/sparse_products.h>
 #include <catena/flow/velocity_multigrid.h>
 #include <catena/particles/acting_contacts.h>
 
@@ -14,7 +16,11 @@
 namespace Catena
 {
   /**
-   * Block upper triangular preconditioner of the system of FlowMatrices,
+   * Block upper triangular preconditioner of FlowSystem with contacts,
+   *
+   *   [ A    B^T  C ] [u']   [f]
+   *   [ B    0    D ] [p ] = [g]
+   *   [ R    D^T  S ] [r ]   [h]:
    *
    *   p = -2 M^-1 g,   (u, r, F_r) = K^-1 (f - B^T p, h - D^T p, ...),
    *
@@ -29,18 +35,18 @@ namespace Catena
    * instead, each with that cycle, where the components are coupled too much
    * for it.
    *
-   * The matrices are copied where they change from step to step: it can be
-   * kept for many steps.
+   * All of it is of the instant it was made at: it can be kept for many steps.
    */
   template <int dim>
   class FlowPreconditioner
   {
   public:
-    /// Set up from newly assembled matrices, not strengthened.
+    /// Set up from newly assembled ones, not strengthened.
     void
     initialize(const MovingMesh<dim>                &mesh,
                const std::vector<NodeCoupling<dim>> &couplings,
-               const FlowMatrices<dim>              &matrices);
+               const FlowSystem<dim>                &system,
+               const PreconditionerMatrices<dim>    &matrices);
 
     /// Take over the contacts; cheap.
     void
@@ -79,11 +85,14 @@ namespace Catena
                                     VectorType,
                                     dealii::DiagonalMatrix<VectorType>>;
 
-    const FlowMatrices<dim> *matrices = nullptr;
-    VelocityMultigrid<dim>   multigrid;
-    MassInverse              mass_inverse;
-    bool                     strong = false;
+    const FlowSystem<dim>             *system   = nullptr;
+    const PreconditionerMatrices<dim> *matrices = nullptr;
+    VelocityMultigrid<dim>             multigrid;
+    MassInverse                        mass_inverse;
+    bool                               strong = false;
 
+    /// R and D^T, the rows of the rigid-body unknowns
+    SparseProducts velocity_reactions, pressure_reactions;
     /// A^-1 C, approximately, and the Schur complement S - R A^-1 C
     std::vector<VectorType>    rigid_responses;
     dealii::FullMatrix<double> rigid_schur, small_inverse;

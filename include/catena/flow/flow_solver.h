@@ -2,8 +2,8 @@
 #define catena_flow_flow_solver_h
 
 #include <catena/flow/earlier_solutions.h>
-#include <catena/flow/flow_matrices.h>
 #include <catena/flow/flow_preconditioner.h>
+#include <catena/flow/flow_system.h>
 #include <catena/flow/flow_unknowns.h>
 #include <catena/flow/stress_model.h>
 #include <catena/particles/contacts.h>
@@ -62,10 +62,8 @@ namespace Catena
    * and, in a pressure-driven scene, with the flow rate,
    * for the disturbance of the imposed shear flow, by FGMRES with
    * FlowPreconditioner, from a first guess improved by EarlierSolutions. FGMRES
-   * works with the matrices in single precision, on a correction of the
-   * residual in double precision, and again where that asks for it. The
-   * matrices' sparsity is kept as long as the mesh is. The preconditioner is
-   * kept until the iterations lost since it was made, against its best solve by
+   * works in single precision, on a correction of the residual in double
+   * precision, and again where that asks for it. The preconditioner is kept until the iterations lost since it was made, against its best solve by
    * decades of the residual, would have paid for a new one.
    */
   template <int dim>
@@ -193,10 +191,11 @@ namespace Catena
     Configuration<dim>           configuration;
     bool                         held = false;
 
-    std::vector<NodeCoupling<dim>>     couplings;
-    std::unique_ptr<FlowMatrices<dim>> matrices;
-    FlowPreconditioner<dim>            preconditioner;
-    EarlierSolutions<dim>              earlier_solutions;
+    std::vector<NodeCoupling<dim>>               couplings;
+    std::unique_ptr<FlowSystem<dim>>             system;
+    std::unique_ptr<PreconditionerMatrices<dim>> preconditioner_matrices;
+    FlowPreconditioner<dim>                      preconditioner;
+    EarlierSolutions<dim>                        earlier_solutions;
     bool preconditioner_is_due = true, preconditioner_is_fresh = false;
     /// iterations for a decade of the residual; their excess over the best
     double         best_rate = 0., iterations_lost = 0.;
@@ -210,7 +209,7 @@ namespace Catena
     unknowns() const;
 
     void
-    assemble_matrices();
+    assemble_system();
 
     double
     target(const BlockVectorType &rhs) const;

@@ -3,7 +3,7 @@
 
 #include <catena/base/types.h>
 #include <catena/flow/flow_fields.h>
-#include <catena/flow/flow_matrices.h>
+#include <catena/flow/flow_system.h>
 #include <catena/flow/node_couplings.h>
 #include <catena/mesh/moving_mesh.h>
 #include <catena/particles/acting_contacts.h>
@@ -15,7 +15,7 @@
 namespace Catena
 {
   /**
-   * What the vectors of unknowns (u', p, r, F_r) of FlowMatrices with contacts
+   * What the vectors of unknowns (u', p, r, F_r) of FlowSystem with contacts
    * mean: the velocity u is that of the imposed flow and u', the motions of the
    * particles are their reference motions and r, and the pressure has the mean
    * zero.
@@ -28,7 +28,7 @@ namespace Catena
     const Configuration<dim>             &configuration;
     const bool                            held;
     const std::vector<NodeCoupling<dim>> &couplings;
-    const FlowMatrices<dim>              &matrices;
+    const FlowSystem<dim>                &system;
 
     /// Zero; without contacts there is no block for their forces.
     BlockVectorType

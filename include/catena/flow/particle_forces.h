@@ -13,7 +13,7 @@ namespace Catena
    *   int (sigma : grad(phi_i e_d) - P/L phi_i e_x.e_d) over the fluid
    *
    * (less P/L times the volume of the particle along x, in a scene where the
-   * pressure falls by P along a period L, see FlowMatrices)
+   * pressure falls by P along a period L, see FlowSystem)
    * at the nodes on its surface, each times the velocity of the node for a
    * unit motion, and divided by the meshed share. Zero, to the tolerance of
    * the solver, for a free particle without contacts.

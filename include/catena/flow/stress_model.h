@@ -55,6 +55,13 @@ namespace Catena
   public:
     virtual ~StressModel() = default;
 
+    /// Has it a factor k and a tensor B?
+    virtual bool
+    has_tangent() const
+    {
+      return false;
+    }
+
     /**
      * The coefficients at the quadrature points of a cell.
      * @param coefficients resized to the number of points

@@ -3,7 +3,7 @@
 
 #include <catena/base/types.h>
 #include <catena/flow/coarse_correction.h>
-#include <catena/flow/flow_matrices.h>
+#include <catena/flow/preconditioner_matrices.h>
 #include <catena/flow/multigrid_level.h>
 
 #include <memory>
@@ -29,7 +29,7 @@ namespace Catena
 
     VelocityMultigrid(const MovingMesh<dim>                &mesh,
                       const std::vector<NodeCoupling<dim>> &couplings,
-                      const FlowMatrices<dim>              &matrices);
+                      const PreconditionerMatrices<dim>    &matrices);
 
     void
     vmult(VectorType &dst, const VectorType &src) const;

@@ -55,6 +55,10 @@ namespace Catena
       std::array<dealii::Tensor<1, dim, Pack>, n_vertices> linear_gradient;
     };
 
+    /// The rule of straight or curved cells.
+    static dealii::Quadrature<dim>
+    rule(const bool curved);
+
     CellValues();
 
     explicit CellValues(const dealii::Quadrature<dim> &quadrature);

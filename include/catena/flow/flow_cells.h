@@ -1,0 +1,126 @@
+#ifndef catena_flow_flow_cells_h
+#define catena_flow_flow_cells_h
+
+#include <catena/flow/stress_model.h>
+#include <catena/mesh/cell_values.h>
+#include <catena/mesh/moving_mesh.h>
+
+#include <deal.II/base/partitioner.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace Catena
+{
+  /// Numbers of a node: the components of its velocity, then its pressure, if
+  /// it is a vertex.
+  constexpr unsigned int n_node_numbers = 4;
+
+  /**
+   * Which cells are computed at once, side by side: owned ones that have the
+   * same quadrature rule, with their nodes by local number. The last ones are
+   * repeated where there are too few.
+   */
+  template <int dim>
+  struct CellBatches
+  {
+    static constexpr unsigned int n_nodes = n_quadratic_nodes(dim);
+    /// cells at once
+    static constexpr unsigned int width = 16;
+
+    bool                      curved;
+    /// numbers in the mesh's list
+    std::vector<unsigned int> cells;
+    /// by batch, node and cell
+    std::vector<unsigned int> nodes;
+
+    unsigned int
+    n_batches() const
+    {
+      return nodes.size() / (n_nodes * width);
+    }
+  };
+
+
+
+  /**
+   * The balance of momentum and mass as sums over the cells of this rank,
+   * without a matrix: for velocities and pressures at the nodes,
+   *
+   *   int (L H + H L^T + k (B:L) B - p I) : grad v,   -int q div u
+   *
+   * with the coefficients of StressCoefficients.
+   */
+  template <int dim, typename Number>
+  class FlowCells
+  {
+  public:
+    using Partitioner = dealii::Utilities::MPI::Partitioner;
+
+    FlowCells() = default;
+
+    FlowCells(const MovingMesh<dim> &mesh, const Partitioner &nodes);
+
+    /// Are there coefficients k and B? All cells are to be set anew.
+    void
+    use_tangents(const bool there_are);
+
+    /**
+     * What is known of an owned cell at its quadrature points.
+     */
+    void
+    set(const unsigned int                                        cell,
+        const std::vector<typename CellValues<dim>::PointValues> &points,
+        const std::vector<StressCoefficients<dim>> &coefficients);
+
+    /// Take over what was set there, in this precision.
+    template <typename OtherNumber>
+    void
+    copy(const FlowCells<dim, OtherNumber> &other);
+
+    /**
+     * Add the sums to @p dst, by node: those of the velocities v and of the
+     * pressure q. @p src has what the nodes are given.
+     */
+    void
+    add_product(Number *dst, const Number *src) const;
+
+    /// With the roles of u, p and v, q exchanged.
+    void
+    add_transposed_product(Number *dst, const Number *src) const;
+
+  private:
+    template <int, typename>
+    friend class FlowCells;
+
+    /// Cells with the same rule and their numbers by batch, number and cell.
+    struct Group
+    {
+      std::shared_ptr<const CellBatches<dim>> batches;
+      std::vector<Number>                     numbers;
+    };
+
+    /// Where a cell is: its group, and its place among the group's cells.
+    struct Place
+    {
+      unsigned int group, index;
+    };
+
+    std::vector<Group>                        groups;
+    std::shared_ptr<const std::vector<Place>> places;
+    bool                                      with_tangents = false;
+
+    unsigned int
+    n_numbers(const Group &group) const;
+
+    void
+    resize();
+
+    template <bool transposed>
+    void
+    add(Number *dst, const Number *src) const;
+  };
+} // namespace Catena
+
+#endif

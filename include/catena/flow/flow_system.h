@@ -1,0 +1,179 @@
+#ifndef catena_flow_flow_system_h
+#define catena_flow_flow_system_h
+
+#include <catena/base/types.h>
+#include <catena/flow/flow_cells.h>
+#include <catena/flow/node_couplings.h>
+#include <catena/particles/rigid_bodies.h>
+
+#include <deal.II/base/partitioner.h>
+
+#include <vector>
+
+namespace Catena
+{
+  /**
+   * Left and right-hand side of the balance of momentum and mass for the
+   * disturbance velocity u', the pressure p and the rigid-body unknowns r:
+   *
+   *   int (L' H + H L'^T) : grad v - p div v  =
+   *                         F.v_r - int (L_0 H + H L_0^T + T) : grad v,
+   *   -int q div u' = 0,
+   *
+   * with L_0 the gradient of the imposed flow and v = v_r the rigid motion on
+   * particles (constraints of velocity_constraints() condensed).
+   *
+   * In a pressure-driven scene the pressure is p - P x/L, with p periodic and
+   * P the fall of pressure along a period L, which does the work of the flow
+   * rate Q through the section of the channel (its mean velocity is 1). P is
+   * the last of the unknowns r:
+   *
+   *   right-hand side of the momentum:  + P/L (int v_x + sum_i V_i v_r,i,x),
+   *   -1/L (int u_x + sum_i V_i U_i,x) = -Q,
+   *
+   * with V_i the volumes of the particles, in which the pressure acts as well.
+   *
+   * There is no matrix: a product gives the nodes of the cells the velocities
+   * that the unknowns stand for, integrates over the cells (FlowCells), and
+   * takes the sums at the nodes back to the unknowns. FlowAssembly sets what
+   * is needed for it.
+   */
+  template <int dim>
+  class FlowSystem
+  {
+  public:
+    /// By node, its velocity and pressure.
+    template <typename Number>
+    using NodeField = dealii::LinearAlgebra::distributed::Vector<Number>;
+
+    /**
+     * Valid as long as the mesh and which unknowns are constrained do not
+     * change.
+     * @param couplings kept by reference: products follow them
+     */
+    FlowSystem(const MovingMesh<dim>                &mesh,
+               const RigidBodies<dim>               &bodies,
+               const std::vector<NodeCoupling<dim>> &couplings);
+
+    /// Number of unknowns r: the rigid-body unknowns, then P if there is one.
+    unsigned int
+    n_rigid() const
+    {
+      return rigid_rhs.size();
+    }
+
+    /// Those of the nodes of NodeField.
+    const dealii::Utilities::MPI::Partitioner &
+    nodes() const
+    {
+      return node_partitioner;
+    }
+
+    /// Zero, with ghosts.
+    template <typename Number>
+    NodeField<Number>
+    node_field() const;
+
+    /// What FlowAssembly sets: the cells in double precision, and in single.
+    FlowCells<dim, double> cells;
+    FlowCells<dim, float>  fast_cells;
+    /// By local node, the part of this rank of int v_x; pressure-driven only.
+    std::vector<double> node_volumes;
+    /// int q.
+    VectorType vertex_volumes;
+
+    /// Right-hand sides; that of r is the same on every rank.
+    VectorType          velocity_rhs, pressure_rhs;
+    std::vector<double> rigid_rhs;
+
+    /// A vector of unknowns (u', p, r), r the same on every rank.
+    struct Unknowns
+    {
+      const VectorType          &velocity, &pressure;
+      const std::vector<double> &motions;
+    };
+
+    /// One of the same kind that is written to.
+    struct Equations
+    {
+      VectorType          &velocity, &pressure;
+      std::vector<double> &motions;
+    };
+
+    /**
+     * dst = A src. The equation of what is not solved for is that it is its own
+     * value.
+     */
+    void
+    vmult(const Equations &dst, const Unknowns &src) const;
+
+    /// dst = A src and dst = A^T src in single precision.
+    void
+    fast_vmult(const Equations &dst, const Unknowns &src) const;
+
+    void
+    fast_Tvmult(const Equations &dst, const Unknowns &src) const;
+
+    /**
+     * Right-hand sides from what is given at the nodes of this rank's cells,
+     * less what the known velocities take.
+     */
+    void
+    set_right_hand_side(NodeField<double> &given);
+
+  private:
+    /// A node whose velocity is not simply an unknown, by local number, too.
+    struct CoupledNode
+    {
+      unsigned int node, local, master;
+    };
+
+    /// A vertex whose pressure is that of another, by their local nodes.
+    struct IdentifiedVertex
+    {
+      unsigned int local, master;
+    };
+
+    const MovingMesh<dim>                &mesh;
+    const RigidBodies<dim>               &bodies;
+    const std::vector<NodeCoupling<dim>> &couplings;
+
+    dealii::Utilities::MPI::Partitioner node_partitioner;
+    /// local nodes of the owned vertices
+    std::vector<unsigned int>     vertex_nodes;
+    std::vector<CoupledNode>      coupled_nodes;
+    std::vector<IdentifiedVertex> identified_vertices;
+
+    /// of products, lest they are allocated each time
+    mutable NodeField<double> given, sums;
+    mutable NodeField<float>  fast_given, fast_sums;
+
+    template <typename Number>
+    void
+    give_nodes(NodeField<Number> &field, const Unknowns &unknowns) const;
+
+    template <typename Number>
+    void
+    take_from_nodes(NodeField<Number> &field, const Equations &equations) const;
+
+    template <typename Number>
+    void
+    add_pressure_drop(NodeField<Number>         &sums,
+                      std::vector<double>       &rates,
+                      const NodeField<Number>   &given,
+                      const std::vector<double> &motions) const;
+
+    void
+    keep_what_is_known(const Equations &dst, const Unknowns &src) const;
+
+    template <typename Number, typename AddCells>
+    void
+    multiply(NodeField<Number> &from,
+             NodeField<Number> &to,
+             const Equations   &dst,
+             const Unknowns    &src,
+             const AddCells    &add_cells) const;
+  };
+} // namespace Catena
+
+#endif

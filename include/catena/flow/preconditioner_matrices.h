@@ -1,0 +1,108 @@
+#ifndef catena_flow_preconditioner_matrices_h
+#define catena_flow_preconditioner_matrices_h
+
+#include <catena/base/csr_access.h>
+#include <catena/flow/block_matrix.h>
+#include <catena/flow/flow_element.h>
+#include <catena/flow/node_couplings.h>
+#include <catena/mesh/moving_mesh.h>
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace Catena
+{
+  /**
+   * The matrices that the preconditioner of FlowSystem is made of, where nodes
+   * are coupled as NodeCoupling tells. They are assembled when a new one is
+   * due, by the ranks that own their rows.
+   */
+  template <int dim>
+  class PreconditionerMatrices
+  {
+  public:
+    /**
+     * Make sparsity patterns; valid as long as the mesh and which unknowns
+     * are constrained do not change.
+     */
+    PreconditionerMatrices(const MovingMesh<dim>                &mesh,
+                           const std::vector<NodeCoupling<dim>> &couplings);
+
+    /// Begin anew.
+    void
+    clear();
+
+    /// What a cell adds, by its number in the mesh's list.
+    void
+    add(const unsigned int                    cell,
+        const PreconditionerElement<dim>     &element,
+        const std::vector<NodeCoupling<dim>> &couplings);
+
+    /// Unit equations for what is not solved for.
+    void
+    finish(const std::vector<NodeCoupling<dim>> &couplings);
+
+    /// The component matrices are not needed any more.
+    void
+    release_components();
+
+    /// B^T: pressures act on the nodes.
+    BlockMatrix<dim> gradient;
+
+    /// int p q / viscosity, the Schur complement's approximation.
+    dealii::TrilinosWrappers::SparseMatrix pressure_mass;
+
+    /**
+     * Scalar operators int grad v . (H grad u) on the nodes, one for each
+     * group of velocity components. In a group the factors of a node are the
+     * same, but for components that have no unknown there: the operator of
+     * such a component is the group's without the rows and columns of these
+     * nodes.
+     */
+    struct ComponentMatrix
+    {
+      std::vector<unsigned int> components;
+      BlockMatrix<1>            matrix;
+    };
+    std::vector<ComponentMatrix> component_matrices;
+
+  private:
+    static constexpr unsigned int n_nodes    = n_quadratic_nodes(dim);
+    static constexpr unsigned int n_vertices = n_linear_nodes(dim);
+
+    /**
+     * Which blocks of their rows are those of a cell's pairs, found once for
+     * each pattern.
+     */
+    struct Offsets
+    {
+      std::array<std::array<unsigned short, n_nodes>, n_nodes>    nodes;
+      std::array<std::array<unsigned short, n_nodes>, n_vertices> gradient;
+    };
+
+    const MovingMesh<dim>              &mesh;
+    std::shared_ptr<const BlockPattern> node_pattern;
+    CsrAccess                           mass_access;
+    /// by cell of the mesh
+    std::vector<Offsets> offsets;
+
+    void
+    make_patterns(const std::vector<NodeCoupling<dim>> &couplings);
+
+    void
+    find_offsets(const std::vector<NodeCoupling<dim>> &couplings);
+
+    void
+    group_components(const std::vector<NodeCoupling<dim>> &couplings);
+
+    bool
+    share_operator(const std::vector<unsigned int>      &components,
+                   const unsigned int                    component,
+                   const std::vector<NodeCoupling<dim>> &couplings) const;
+  };
+} // namespace Catena
+
+#endif

@@ -1,0 +1,258 @@
+#include <catena/flow/preconditioner_matrices.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+namespace Catena
+{
+  using namespace dealii;
+
+  template <int dim>
+  PreconditionerMatrices<dim>::PreconditionerMatrices(
+    const MovingMesh<dim>                &mesh,
+    const std::vector<NodeCoupling<dim>> &couplings)
+    : mesh(mesh)
+  {
+    make_patterns(couplings);
+    find_offsets(couplings);
+    group_components(couplings);
+  }
+
+
+
+  template <int dim>
+  void
+  PreconditionerMatrices<dim>::make_patterns(
+    const std::vector<NodeCoupling<dim>> &couplings)
+  {
+    const unsigned int     n_all_nodes    = mesh.n_global_nodes(),
+                       n_all_vertices = mesh.scalar_dofs().n_dofs();
+    DynamicSparsityPattern nodes(n_all_nodes,
+                                 n_all_nodes,
+                                 mesh.relevant_nodes()),
+      gradients(n_all_nodes, n_all_vertices, mesh.relevant_nodes()),
+      masses(n_all_vertices, n_all_vertices, mesh.relevant_scalars());
+
+    for (const auto node : mesh.owned_nodes())
+      nodes.add(node, node);
+    for (const auto vertex : mesh.owned_scalars())
+      masses.add(vertex, vertex);
+
+    const auto make_unique = [](auto &numbers) {
+      std::sort(numbers.begin(), numbers.end());
+      numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    };
+    std::vector<types::global_dof_index> masters, vertices;
+    for (const auto &cell : mesh.cells())
+      {
+        masters.clear();
+        vertices.clear();
+        for (const unsigned int node : cell.nodes)
+          if (couplings[node].has_unknown())
+            masters.push_back(couplings[node].master);
+        for (const unsigned int vertex : cell.vertices)
+          vertices.push_back(mesh.vertex_master(vertex));
+        make_unique(masters);
+        make_unique(vertices);
+
+        for (const auto master : masters)
+          {
+            nodes.add_entries(master, masters.begin(), masters.end(), true);
+            gradients.add_entries(master,
+                                  vertices.begin(),
+                                  vertices.end(),
+                                  true);
+          }
+        for (const auto vertex : vertices)
+          masses.add_entries(vertex, vertices.begin(), vertices.end(), true);
+      }
+
+    const MPI_Comm comm = mesh.communicator();
+    node_pattern        = std::make_shared<const BlockPattern>(
+      mesh.owned_nodes(), mesh.owned_nodes(), nodes, comm);
+    gradient = BlockMatrix<dim>(std::make_shared<const BlockPattern>(
+      mesh.owned_nodes(), mesh.owned_scalars(), gradients, comm));
+    pressure_mass.reinit(mesh.owned_scalars(),
+                         mesh.owned_scalars(),
+                         masses,
+                         comm);
+    mass_access =
+      CsrAccess(pressure_mass, mesh.owned_scalars(), mesh.relevant_scalars());
+  }
+
+
+
+  template <int dim>
+  void
+  PreconditionerMatrices<dim>::find_offsets(
+    const std::vector<NodeCoupling<dim>> &couplings)
+  {
+    offsets.assign(mesh.cells().size(), Offsets());
+    for (unsigned int c = 0; c < offsets.size(); ++c)
+      {
+        const auto &cell = mesh.cells()[c];
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          {
+            const NodeCoupling<dim> &test = couplings[cell.nodes[a]];
+            const unsigned int       row  = node_pattern->row(test.master);
+            if (!test.has_unknown() || row == BlockPattern::absent)
+              continue;
+            for (unsigned int b = 0; b < n_nodes; ++b)
+              if (couplings[cell.nodes[b]].has_unknown())
+                offsets[c].nodes[a][b] =
+                  node_pattern->offset(row, couplings[cell.nodes[b]].master);
+            for (unsigned int v = 0; v < n_vertices; ++v)
+              offsets[c].gradient[v][a] =
+                gradient.pattern().offset(row,
+                                          mesh.vertex_master(cell.vertices[v]));
+          }
+      }
+  }
+
+
+
+  /// Has a component the factors of others wherever both have an unknown?
+  template <int dim>
+  bool
+  PreconditionerMatrices<dim>::share_operator(
+    const std::vector<unsigned int>      &components,
+    const unsigned int                    component,
+    const std::vector<NodeCoupling<dim>> &couplings) const
+  {
+    bool equal = true;
+    for (const auto node : mesh.relevant_nodes())
+      for (const unsigned int d : components)
+        {
+          const double product =
+            couplings[node].factors[d] * couplings[node].factors[component];
+          equal &= product >= 0.;
+        }
+    return Utilities::MPI::min(equal ? 1 : 0, mesh.communicator()) == 1;
+  }
+
+
+
+  template <int dim>
+  void
+  PreconditionerMatrices<dim>::group_components(
+    const std::vector<NodeCoupling<dim>> &couplings)
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        bool is_new = true;
+        for (ComponentMatrix &group : component_matrices)
+          if (is_new && share_operator(group.components, d, couplings))
+            {
+              group.components.push_back(d);
+              is_new = false;
+            }
+        if (is_new)
+          component_matrices.push_back({{d}, BlockMatrix<1>()});
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  PreconditionerMatrices<dim>::clear()
+  {
+    gradient.clear();
+    pressure_mass = 0.;
+    for (ComponentMatrix &component : component_matrices)
+      component.matrix = BlockMatrix<1>(node_pattern);
+  }
+
+
+
+  template <int dim>
+  void
+  PreconditionerMatrices<dim>::release_components()
+  {
+    for (ComponentMatrix &component : component_matrices)
+      component.matrix = BlockMatrix<1>();
+  }
+
+
+
+  template <int dim>
+  void
+  PreconditionerMatrices<dim>::add(
+    const unsigned int                    c,
+    const PreconditionerElement<dim>     &element,
+    const std::vector<NodeCoupling<dim>> &couplings)
+  {
+    const auto    &cell   = mesh.cells()[c];
+    const Offsets &offset = offsets[c];
+    std::array<unsigned int, n_vertices> vertices;
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      vertices[v] = mesh.vertex_master(cell.vertices[v]);
+
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      {
+        const int row = mass_access.row(vertices[v]);
+        if (row == CsrAccess::absent)
+          continue;
+        for (unsigned int w = 0; w < n_vertices; ++w)
+          mass_access.add(row,
+                          mass_access.column(vertices[w]),
+                          element.mass[v][w]);
+      }
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      {
+        const NodeCoupling<dim> &test = couplings[cell.nodes[a]];
+        const unsigned int       row  = node_pattern->row(test.master);
+        if (!test.has_unknown() || row == BlockPattern::absent)
+          continue;
+        for (unsigned int v = 0; v < n_vertices; ++v)
+          {
+            float *block = gradient.block(row, offset.gradient[v][a]);
+            for (unsigned int d = 0; d < dim; ++d)
+              block[d] +=
+                test.factors[d] * element.gradient[v].components[d][a];
+          }
+        for (ComponentMatrix &group : component_matrices)
+          {
+            const double factor = test.shared_factor(group.components);
+            if (factor == 0.)
+              continue;
+            for (unsigned int b = 0; b < n_nodes; ++b)
+              {
+                const double trial =
+                  couplings[cell.nodes[b]].shared_factor(group.components);
+                if (trial != 0.)
+                  *group.matrix.block(row, offset.nodes[a][b]) +=
+                    factor * trial * element.component[a][b];
+              }
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  PreconditionerMatrices<dim>::finish(
+    const std::vector<NodeCoupling<dim>> &couplings)
+  {
+    for (const auto node : mesh.owned_nodes())
+      for (ComponentMatrix &group : component_matrices)
+        if (couplings[node].master != node ||
+            couplings[node].shared_factor(group.components) == 0.)
+          {
+            const unsigned int row = node_pattern->row(node);
+            *group.matrix.block(row, node_pattern->offset(row, node)) += 1.f;
+          }
+    for (const auto vertex : mesh.owned_scalars())
+      if (mesh.vertex_master(vertex) != vertex)
+        mass_access.add(mass_access.row(vertex),
+                        mass_access.column(vertex),
+                        1.);
+  }
+
+
+
+  template class PreconditionerMatrices<2>;
+  template class PreconditionerMatrices<3>;
+} // namespace Catena
