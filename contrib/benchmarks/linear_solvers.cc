@@ -121,7 +121,7 @@ namespace
           mesh.set_positions(step.positions);
           const auto stress = step.stress(fluid);
           costs.assembly += cpu_seconds([&] { assemble(step, stress); });
-          prepare();
+          prepare(stress);
           fields = step.first_guess;
           costs.solve += cpu_seconds(
             [&] { costs.iterations += solve(fields, step.forces); });
@@ -154,7 +154,7 @@ namespace
 
     /// What is not timed.
     virtual void
-    prepare()
+    prepare(const StressModel<3> &)
     {}
 
     virtual unsigned int
@@ -206,8 +206,12 @@ namespace
     {
       const auto couplings = node_couplings<3>(
         mesh, velocity_constraints<3>(mesh, bodies, configuration, false));
-      const FlowMatrices<3> matrices(mesh, bodies, couplings);
-      return bytes_of_a_solution(matrices, iterations) / memory_bandwidth();
+      FlowSystem<3>             system(mesh, bodies, couplings);
+      PreconditionerMatrices<3> matrices(mesh, couplings);
+      matrices.clear();
+      system.fast_cells.copy(system.cells);
+      return bytes_of_a_solution(system, matrices, iterations) /
+             memory_bandwidth();
     }
   };
 
@@ -255,7 +259,7 @@ namespace
     mutable VectorType                              direct_src, direct_dst;
     const std::vector<std::string>                  words;
     std::vector<NodeCoupling<3>>                    couplings;
-    std::unique_ptr<FlowMatrices<3>>                matrices;
+    std::unique_ptr<FlowSystem<3>>                  flow;
     std::unique_ptr<WholeSystem>                    system;
     CompressedRows                                  matrix;
     Configuration<3>                                configuration;
@@ -270,15 +274,17 @@ namespace
     {
       configuration = step.configuration;
       find_couplings();
-      matrices = std::make_unique<FlowMatrices<3>>(mesh, bodies, couplings);
-      assemble(step, step.stress(fluid));
+      flow = std::make_unique<FlowSystem<3>>(mesh, bodies, couplings);
       const bool is_ilut = words[0] == "ilut";
       system             = std::make_unique<WholeSystem>(mesh,
                                              couplings,
-                                             *matrices,
+                                             bodies.n_unknowns(),
                                              is_ilut ? words[3] : "metis",
                                              is_ilut && words[4] == "last");
-      prepare();
+      matrix             = system->pattern(couplings);
+      const auto stress  = step.stress(fluid);
+      assemble(step, stress);
+      prepare(stress);
       if (is_ilut)
         {
           costs.set_up = cpu_seconds([&] {
@@ -312,15 +318,19 @@ namespace
     {
       configuration = step.configuration;
       find_couplings();
-      FlowAssembly<3>(mesh, bodies, couplings, *matrices)
-        .assemble(stress, Scene<3>::imposed_gradient(), false);
+      system->assemble(couplings, stress, matrix);
       earlier_solutions.begin_instant();
     }
 
     void
-    prepare() override
+    prepare(const StressModel<3> &stress) override
     {
-      system->assemble(*matrices, matrix);
+      assemble_flow<3>(mesh,
+                       couplings,
+                       stress,
+                       Scene<3>::imposed_gradient(),
+                       *flow,
+                       nullptr);
     }
 
     void
@@ -348,10 +358,10 @@ namespace
     block_vector() const
     {
       BlockVectorType result(3);
-      result.block(0).reinit(matrices->velocity_rhs);
-      result.block(1).reinit(matrices->pressure_rhs);
+      result.block(0).reinit(flow->velocity_rhs);
+      result.block(1).reinit(flow->pressure_rhs);
       result.block(2).reinit(
-        VectorType(complete_index_set(matrices->n_rigid()), MPI_COMM_SELF));
+        VectorType(complete_index_set(flow->n_rigid()), MPI_COMM_SELF));
       result.collect_sizes();
       return result;
     }
@@ -360,12 +370,12 @@ namespace
     right_hand_side(const std::vector<double> &forces) const
     {
       BlockVectorType rhs = block_vector();
-      rhs.block(0)        = matrices->velocity_rhs;
-      rhs.block(1)        = matrices->pressure_rhs;
+      rhs.block(0)        = flow->velocity_rhs;
+      rhs.block(1)        = flow->pressure_rhs;
       rhs.block(1).add(-rhs.block(1).mean_value());
       for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)
         rhs.block(2)(k) =
-          matrices->rigid_rhs[k] + bodies.meshed_share(k) * forces[k];
+          flow->rigid_rhs[k] + bodies.meshed_share(k) * forces[k];
       return rhs;
     }
 
@@ -406,7 +416,7 @@ namespace
       const ContactBlocks   no_contacts;
       const double wanted = FlowSolverParameters().tolerance * rhs.l2_norm();
       if (improves())
-        earlier_solutions.improve({*matrices, no_contacts}, rhs, wanted, guess);
+        earlier_solutions.improve({*flow, no_contacts}, rhs, wanted, guess);
       // one pressure is zero in the whole system
       guess.block(1).add(-guess.block(1)(system->zero_pressure()));
       Vector<double>                              x = system->gather(guess);

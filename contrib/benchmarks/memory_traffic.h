@@ -1,7 +1,8 @@
 #ifndef catena_contrib_benchmarks_memory_traffic_h
 #define catena_contrib_benchmarks_memory_traffic_h
 
-#include <catena/flow/flow_matrices.h>
+#include <catena/flow/flow_system.h>
+#include <catena/flow/preconditioner_matrices.h>
 
 #include <algorithm>
 #include <limits>
@@ -35,35 +36,36 @@ namespace Catena
 
 
   /**
-   * Bytes that FlowSolver has to move for a solution: every entry and every
-   * index of its matrices once for each product and each sweep over them, and
-   * the basis of GMRES twice for each of its vectors. What the coarser levels
-   * of the multigrid and the other vectors take is left out.
+   * Bytes that FlowSolver has to move for a solution: what it knows of the cells
+   * once for each product, every entry and every index of the matrices of the
+   * preconditioner once for each product and each sweep over them, and the basis
+   * of GMRES twice for each of its vectors. What the coarser levels of the
+   * multigrid and the other vectors take is left out.
    */
   inline double
-  bytes_of_a_solution(const FlowMatrices<3> &matrices, const double iterations)
+  bytes_of_a_solution(const FlowSystem<3>             &system,
+                      const PreconditionerMatrices<3> &matrices,
+                      const double                     iterations)
   {
     constexpr double index = 4., single = 4., whole = 8.;
     constexpr double sweeps = 4., mass_sweeps = 4., earlier_solutions = 4.,
                      residuals = 2.;
 
-    const double velocity = matrices.velocity.pattern().n_blocks(),
+    const double nodes =
+                   matrices.component_matrices[0].matrix.pattern().n_blocks(),
                  gradient = matrices.gradient.pattern().n_blocks(),
                  mass     = matrices.pressure_mass.n_nonzero_elements(),
                  unknowns =
-                   matrices.velocity_rhs.size() + matrices.pressure_rhs.size();
+                   system.velocity_rhs.size() + system.pressure_rhs.size(),
+                 product      = system.cells.memory_consumption(),
+                 fast_product = system.fast_cells.memory_consumption();
 
-    const auto product = [&](const double number) {
-      return velocity * (9. * number + index) +
-             2. * gradient * (3. * number + index);
-    };
     const double preconditioner = gradient * (3. * single + index) +
                                   mass_sweeps * mass * (whole + index) +
-                                  sweeps * velocity * (single + index);
+                                  sweeps * nodes * (single + index);
     const double basis = 2. * iterations / 2. * unknowns * whole;
-    return iterations * (product(single) + preconditioner + basis) +
-           (1. + earlier_solutions) * product(single) +
-           residuals * product(whole);
+    return iterations * (fast_product + preconditioner + basis) +
+           (1. + earlier_solutions) * fast_product + residuals * product;
   }
 } // namespace Catena
 

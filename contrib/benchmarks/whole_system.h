@@ -1,22 +1,25 @@
 #ifndef catena_benchmarks_whole_system_h
 #define catena_benchmarks_whole_system_h
 
-#include <catena/flow/flow_matrices.h>
+#include <catena/flow/node_couplings.h>
 
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/vector.h>
 
 #include <metis.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "element_matrix.h"
 #include "sparse_matrix.h"
 
 /**
- * The system of FlowMatrices as one matrix of the free unknowns, in an order
- * for incomplete or complete factors:
+ * The system of FlowSystem as one matrix of the free unknowns, on one process,
+ * in an order for incomplete or complete factors:
  *
  * - `metis`: the nodes by nested dissection, `rcm`: by reverse Cuthill-McKee,
  * - with the pressure of a node after its velocities, or all pressures last.
@@ -28,14 +31,15 @@ class WholeSystem
 public:
   WholeSystem(const Catena::MovingMesh<3>                &mesh,
               const std::vector<Catena::NodeCoupling<3>> &couplings,
-              const Catena::FlowMatrices<3>              &matrices,
+              const unsigned int                          n_rigid,
               const std::string                          &order,
               const bool                                  pressures_last)
-    : velocity_places(mesh.owned_vectors().size(), -1)
+    : mesh(mesh)
+    , velocity_places(mesh.owned_vectors().size(), -1)
     , pressure_places(mesh.owned_scalars().size(), -1)
   {
-    std::vector<int> nodes        = nodes_in_order(mesh, matrices, order);
-    const auto       add_pressure = [&](const int node) {
+    const std::vector<int> nodes = nodes_in_order(mesh, couplings, order);
+    const auto             add_pressure = [&](const int node) {
       if (mesh.edge_ends(node)[0] == mesh.edge_ends(node)[1] &&
           mesh.identification().master(node) == static_cast<unsigned int>(node))
         {
@@ -57,7 +61,7 @@ public:
         add_pressure(node);
     remove_last_pressure();
     first_rigid = n_places;
-    n_places += matrices.n_rigid();
+    n_places += n_rigid;
   }
 
   unsigned int
@@ -66,45 +70,74 @@ public:
     return n_places;
   }
 
+  /// A matrix of zeros.
+  CompressedRows
+  pattern(const std::vector<Catena::NodeCoupling<3>> &couplings) const
+  {
+    dealii::DynamicSparsityPattern pairs(n_places, n_places);
+    for (const auto &cell : mesh.cells())
+      {
+        const std::vector<int> all = CellPlaces(*this, cell, couplings).all;
+        const std::vector<dealii::types::global_dof_index> places(all.begin(),
+                                                                  all.end());
+        for (const auto row : places)
+          pairs.add_entries(row, places.begin(), places.end(), true);
+      }
+    CompressedRows matrix;
+    for (int row = 0; row < n_places; ++row)
+      {
+        for (auto it = pairs.begin(row); it != pairs.end(row); ++it)
+          matrix.columns.push_back(it->column());
+        matrix.row_starts.push_back(matrix.columns.size());
+      }
+    matrix.values.assign(matrix.columns.size(), 0.);
+    return matrix;
+  }
+
+  /// @param matrix with the pattern
+  void
+  assemble(const std::vector<Catena::NodeCoupling<3>> &couplings,
+           const Catena::StressModel<3>               &stress,
+           CompressedRows                             &matrix) const
+  {
+    std::fill(matrix.values.begin(), matrix.values.end(), 0.);
+    Catena::CellValues<3>                      values;
+    std::vector<Catena::StressCoefficients<3>> coefficients;
+    ElementMatrix                              element;
+    std::vector<double>                        condensed;
+    for (const auto &cell : mesh.cells())
+      {
+        values.reinit(mesh.cell_positions(cell, mesh.positions()), cell.curved);
+        stress.evaluate(cell, values, coefficients);
+        element.integrate(values.points(), coefficients);
+
+        const CellPlaces   places(*this, cell, couplings);
+        const unsigned int m = places.all.size();
+        condensed.assign(m * m, 0.);
+        for (unsigned int i = 0; i < ElementMatrix::n; ++i)
+          for (const auto &row : places.of_unknown[i])
+            for (unsigned int j = 0; j < ElementMatrix::n; ++j)
+              for (const auto &column : places.of_unknown[j])
+                condensed[m * row.place + column.place] +=
+                  row.factor * column.factor * element.entries[i][j];
+        for (unsigned int i = 0; i < m; ++i)
+          {
+            unsigned long k = matrix.row_starts[places.all[i]];
+            for (unsigned int j = 0; j < m; ++j, ++k)
+              {
+                while (matrix.columns[k] != places.all[j])
+                  ++k;
+                matrix.values[k] += condensed[m * i + j];
+              }
+          }
+      }
+  }
+
   /// The vertex whose pressure is zero.
   unsigned int
   zero_pressure() const
   {
     return last_pressure;
-  }
-
-  void
-  assemble(const Catena::FlowMatrices<3> &matrices,
-           CompressedRows                &result) const
-  {
-    std::vector<std::vector<std::pair<int, double>>> rows(n_places);
-    const auto identity = [this](const int k) { return first_rigid + k; };
-    const auto velocity = [this](const int i) { return velocity_places[i]; };
-    const auto pressure = [this](const int i) { return pressure_places[i]; };
-    add(rows, matrices.velocity, velocity, velocity);
-    add(rows, matrices.gradient, velocity, pressure);
-    add(rows, matrices.divergence, pressure, velocity);
-    add(rows, matrices.velocity_rigid, velocity, identity, false);
-    add(rows, matrices.rigid_velocity_transposed, velocity, identity, true);
-    add(rows, matrices.pressure_rigid, pressure, identity, false);
-    add(rows, matrices.pressure_rigid, pressure, identity, true);
-    for (unsigned int k = 0; k < matrices.n_rigid(); ++k)
-      for (unsigned int l = 0; l < matrices.n_rigid(); ++l)
-        rows[first_rigid + k].emplace_back(first_rigid + l,
-                                           matrices.rigid_rigid(k, l));
-
-    result = CompressedRows();
-    for (auto &row : rows)
-      {
-        std::sort(row.begin(), row.end());
-        for (const auto &entry : row)
-          {
-            result.columns.push_back(entry.first);
-            result.values.push_back(entry.second);
-          }
-        result.row_starts.push_back(result.columns.size());
-        row = {};
-      }
   }
 
   dealii::Vector<double>
@@ -128,6 +161,60 @@ public:
   }
 
 private:
+  /// What unknowns the velocities and pressures of a cell stand for.
+  struct CellPlaces
+  {
+    struct Share
+    {
+      /// among all
+      unsigned int place;
+      double       factor;
+    };
+    /// in ascending order
+    std::vector<int>                                 all;
+    std::array<std::vector<Share>, ElementMatrix::n> of_unknown;
+
+    CellPlaces(const WholeSystem                          &system,
+               const Catena::MovingMesh<3>::Cell          &cell,
+               const std::vector<Catena::NodeCoupling<3>> &couplings)
+    {
+      std::array<std::vector<std::pair<int, double>>, ElementMatrix::n> shares;
+      for (unsigned int a = 0; a < ElementMatrix::n_nodes; ++a)
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            const auto &coupling = couplings[cell.nodes[a]];
+            if (coupling.factors[d] != 0.)
+              shares[3 * a + d].emplace_back(
+                system.velocity_places[3 * coupling.master + d],
+                coupling.factors[d]);
+            for (const auto &motion : coupling.motions[d])
+              shares[3 * a + d].emplace_back(system.first_rigid + motion.first,
+                                             motion.second);
+          }
+      for (unsigned int v = 0; v < ElementMatrix::n_vertices; ++v)
+        {
+          const int place =
+            system
+              .pressure_places[system.mesh.vertex_master(cell.vertices[v])];
+          if (place >= 0)
+            shares[3 * ElementMatrix::n_nodes + v].emplace_back(place, 1.);
+        }
+      for (const auto &some : shares)
+        for (const auto &share : some)
+          all.push_back(share.first);
+      std::sort(all.begin(), all.end());
+      all.erase(std::unique(all.begin(), all.end()), all.end());
+      for (unsigned int i = 0; i < ElementMatrix::n; ++i)
+        for (const auto &share : shares[i])
+          of_unknown[i].push_back(
+            {static_cast<unsigned int>(
+               std::lower_bound(all.begin(), all.end(), share.first) -
+               all.begin()),
+             share.second});
+    }
+  };
+
+  const Catena::MovingMesh<3> &mesh;
   /// by unknown; -1 if it is none
   std::vector<int> velocity_places, pressure_places;
   int              n_places = 0, first_rigid = 0, last_pressure = -1;
@@ -157,74 +244,24 @@ private:
     --n_places;
   }
 
-  // on one process, where local numbers are global ones
-  template <int n_rows, int n_columns, typename RowPlace, typename ColumnPlace>
-  static void
-  add(std::vector<std::vector<std::pair<int, double>>>     &rows,
-      const Catena::BlockMatrix<n_rows, n_columns, double> &matrix,
-      const RowPlace                                       &row_place,
-      const ColumnPlace                                    &column_place)
-  {
-    const Catena::BlockPattern &pattern = matrix.pattern();
-    for (unsigned int row = 0; row < pattern.n_rows(); ++row)
-      for (unsigned int k = pattern.row_start(row);
-           k < pattern.row_start(row + 1);
-           ++k)
-        for (int c = 0; c < n_columns; ++c)
-          for (int r = 0; r < n_rows; ++r)
-            {
-              const int i = row_place(n_rows * row + r),
-                        j = column_place(
-                          n_columns * pattern.local_columns()[k] + c);
-              const double value = matrix.block(k)[n_rows * c + r];
-              if (i >= 0 && j >= 0 && value != 0.)
-                rows[i].emplace_back(j, value);
-            }
-  }
-
-  template <typename RowPlace, typename ColumnPlace>
-  static void
-  add(std::vector<std::vector<std::pair<int, double>>> &rows,
-      const dealii::TrilinosWrappers::SparseMatrix     &matrix,
-      const RowPlace                                   &row_place,
-      const ColumnPlace                                &column_place,
-      const bool                                        transposed)
-  {
-    const Epetra_CrsMatrix &epetra = matrix.trilinos_matrix();
-    for (int row = 0; row < epetra.NumMyRows(); ++row)
-      {
-        const int i = row_place(epetra.GRID(row));
-        if (i < 0)
-          continue;
-        int     n_entries, *columns;
-        double *values;
-        epetra.ExtractMyRowView(row, n_entries, values, columns);
-        for (int k = 0; k < n_entries; ++k)
-          {
-            const int j = column_place(epetra.GCID(columns[k]));
-            if (j < 0 || values[k] == 0.)
-              continue;
-            rows[transposed ? j : i].emplace_back(transposed ? i : j,
-                                                  values[k]);
-          }
-      }
-  }
-
   static std::vector<int>
-  nodes_in_order(const Catena::MovingMesh<3>   &mesh,
-                 const Catena::FlowMatrices<3> &matrices,
-                 const std::string             &order)
+  nodes_in_order(const Catena::MovingMesh<3>                &mesh,
+                 const std::vector<Catena::NodeCoupling<3>> &couplings,
+                 const std::string                          &order)
   {
-    const Catena::BlockPattern &pattern = matrices.velocity.pattern();
-    const unsigned int          n       = mesh.n_global_nodes();
-    std::vector<idx_t>          starts  = {0}, neighbours;
+    const unsigned int             n = mesh.n_global_nodes();
+    dealii::DynamicSparsityPattern pairs(n, n);
+    for (const auto &cell : mesh.cells())
+      for (const unsigned int a : cell.nodes)
+        for (const unsigned int b : cell.nodes)
+          if (couplings[a].has_unknown() && couplings[b].has_unknown())
+            pairs.add(couplings[a].master, couplings[b].master);
+    std::vector<idx_t> starts = {0}, neighbours;
     for (unsigned int node = 0; node < n; ++node)
       {
-        for (unsigned int k = pattern.row_start(node);
-             k < pattern.row_start(node + 1);
-             ++k)
-          if (pattern.local_columns()[k] != node)
-            neighbours.push_back(pattern.local_columns()[k]);
+        for (auto it = pairs.begin(node); it != pairs.end(node); ++it)
+          if (it->column() != node)
+            neighbours.push_back(it->column());
         starts.push_back(neighbours.size());
       }
     std::vector<idx_t> nodes(n), places(n);

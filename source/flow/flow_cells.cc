@@ -432,6 +432,19 @@ namespace Catena
 
 
 
+  template <int dim, typename Number>
+  std::size_t
+  FlowCells<dim, Number>::memory_consumption() const
+  {
+    std::size_t bytes = 0;
+    for (const Group &group : groups)
+      bytes += group.numbers.size() * sizeof(Number) +
+               group.batches->nodes.size() * sizeof(unsigned int);
+    return bytes;
+  }
+
+
+
   template class FlowCells<2, double>;
   template class FlowCells<3, double>;
   template class FlowCells<2, float>;

@@ -1,5 +1,5 @@
-// Products with matrices of blocks and their norm, in double and in single
-// precision, against sums over all pairs of coupled nodes.
+// Products with matrices of blocks against sums over all pairs of coupled
+// nodes.
 
 #include <catena/flow/block_matrix.h>
 
@@ -35,24 +35,28 @@ namespace
     return std::sin(1. + dof);
   }
 
-  template <int n_rows, int n_columns, typename Number>
+  template <int n_rows>
   double
-  product_error(const BlockMatrix<n_rows, n_columns, Number> &matrix,
-                const VectorType                             &src,
-                VectorType                                    dst)
+  product_error(const BlockMatrix<n_rows> &matrix,
+                const VectorType          &src,
+                VectorType                 dst)
   {
-    matrix.vmult(dst, src);
+    dst = 1.;
     matrix.vmult_add(dst, src);
-    const unsigned int n = src.size() / n_columns;
+    matrix.vmult_add(dst, src);
+    const unsigned int n = src.size();
     VectorType         difference(dst);
     for (const auto row : dst.locally_owned_elements())
-      for (unsigned int column = 0; column < src.size(); ++column)
-        if (coupled(row / n_rows, column / n_columns, n))
-          difference(row) -= 2. * entry(row, column) * source(column);
+      {
+        difference(row) -= 1.;
+        for (unsigned int column = 0; column < n; ++column)
+          if (coupled(row / n_rows, column, n))
+            difference(row) -= 2. * entry(row, column) * source(column);
+      }
     return difference.linfty_norm();
   }
 
-  template <int n_rows, int n_columns>
+  template <int n_rows>
   void
   check(Tests::Claims &claims)
   {
@@ -74,43 +78,30 @@ namespace
           couplings.add(i, j);
     const auto pattern =
       std::make_shared<const BlockPattern>(owned(1), owned(1), couplings, comm);
-    BlockMatrix<n_rows, n_columns, double> matrix(pattern);
-    double                                 square = 0.;
+    BlockMatrix<n_rows> matrix(pattern);
     for (unsigned int i = 0; i < n; ++i)
       for (auto it = couplings.begin(i); it != couplings.end(i); ++it)
-        for (unsigned int c = 0; c < n_columns; ++c)
-          for (unsigned int r = 0; r < n_rows; ++r)
-            {
-              const unsigned int j = it->column(), row = pattern->row(i);
-              const double value = entry(n_rows * i + r, n_columns * j + c);
-              square += value * value;
-              if (row != BlockPattern::absent)
-                matrix.block(row, pattern->offset(row, j))[n_rows * c + r] +=
-                  value;
-            }
+        for (unsigned int r = 0; r < n_rows; ++r)
+          {
+            const unsigned int j = it->column(), row = pattern->row(i);
+            if (row != BlockPattern::absent)
+              matrix.block(row, pattern->offset(row, j))[r] +=
+                entry(n_rows * i + r, j);
+          }
 
-    const std::string shape = ", blocks of " + std::to_string(n_rows) + " x " +
-                              std::to_string(n_columns);
-    VectorType src(owned(n_columns), comm), dst(owned(n_rows), comm);
+    const std::string shape =
+      ", blocks of " + std::to_string(n_rows) + " numbers";
+    VectorType src(owned(1), comm), dst(owned(n_rows), comm);
     for (const auto i : src.locally_owned_elements())
       src(i) = source(i);
-    claims.near("the norm is that of all entries" + shape,
-                matrix.frobenius_norm(),
-                std::sqrt(square),
-                1e-13 * std::sqrt(square));
-    claims.at_most("products in double precision are right" + shape,
+    claims.at_most("products are right" + shape,
                    product_error(matrix, src, dst),
                    1e-13);
-    BlockMatrix<n_rows, n_columns, float> fast;
-    fast = matrix;
-    claims.at_most("and with entries in single precision" + shape,
-                   product_error(fast, src, dst),
-                   1e-13);
     matrix.clear();
-    fast = matrix;
-    fast.vmult(dst, src);
+    dst = 0.;
+    matrix.vmult_add(dst, src);
     claims.near("without entries nothing is left" + shape,
-                dst.linfty_norm() + matrix.frobenius_norm(),
+                dst.linfty_norm(),
                 0.,
                 0.);
   }
@@ -120,11 +111,8 @@ int
 main(int argc, char **argv)
 {
   return Tests::run(argc, argv, [](Tests::Claims &claims) {
-    check<1, 2>(claims);
-    check<1, 3>(claims);
-    check<2, 1>(claims);
-    check<3, 1>(claims);
-    check<2, 2>(claims);
-    check<3, 3>(claims);
+    check<1>(claims);
+    check<2>(claims);
+    check<3>(claims);
   });
 }

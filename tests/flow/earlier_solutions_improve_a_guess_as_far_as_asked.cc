@@ -27,20 +27,24 @@ namespace
                                                 problem.bodies,
                                                 problem.configuration,
                                                 false));
-    FlowMatrices<2> matrices(problem.mesh, problem.bodies, couplings);
-    FlowAssembly<2>(problem.mesh, problem.bodies, couplings, matrices)
-      .assemble(problem.stress, scene.imposed_gradient(), false);
+    FlowSystem<2> flow(problem.mesh, problem.bodies, couplings);
+    assemble_flow<2>(problem.mesh,
+                     couplings,
+                     problem.stress,
+                     scene.imposed_gradient(),
+                     flow,
+                     nullptr);
     const ContactBlocks   no_contacts;
-    const FlowOperator<2> system{matrices, no_contacts};
+    const FlowOperator<2> system{flow, no_contacts};
 
     std::mt19937                     generator(1);
     std::normal_distribution<double> normal;
     const auto                       any_vector = [&]() {
       BlockVectorType x(3);
-      x.block(0).reinit(matrices.velocity_rhs);
-      x.block(1).reinit(matrices.pressure_rhs);
+      x.block(0).reinit(flow.velocity_rhs);
+      x.block(1).reinit(flow.pressure_rhs);
       x.block(2).reinit(
-        VectorType(dealii::complete_index_set(matrices.n_rigid()),
+        VectorType(dealii::complete_index_set(flow.n_rigid()),
                    MPI_COMM_SELF));
       x.collect_sizes();
       for (unsigned int b = 0; b < x.n_blocks(); ++b)

@@ -90,6 +90,10 @@ namespace Catena
     void
     add_transposed_product(Number *dst, const Number *src) const;
 
+    /// Bytes that a product reads, but for the values at the nodes.
+    std::size_t
+    memory_consumption() const;
+
   private:
     template <int, typename>
     friend class FlowCells;
