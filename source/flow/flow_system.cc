@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Catena
 {
@@ -12,6 +13,9 @@ namespace Catena
   namespace
   {
     constexpr unsigned int n = n_node_numbers;
+
+    /// Rounding in double precision against that in single, with some reserve.
+    constexpr double double_to_single = 1e-8;
   }
 
 
@@ -279,6 +283,41 @@ namespace Catena
       Utilities::MPI::sum(rigid_rhs, mesh.communicator(), rigid_rhs);
     if (mesh.scene().pressure_driven())
       rigid_rhs[bodies.n_unknowns()] -= mesh.scene().section();
+  }
+
+
+
+  /**
+   * From what it leaves in single precision.
+   */
+  template <int dim>
+  double
+  FlowSystem<dim>::rounding(const VectorType &velocity) const
+  {
+    given      = 0.;
+    fast_given = 0.;
+    sums       = 0.;
+    fast_sums  = 0.;
+    for (const auto node : mesh.relevant_nodes())
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const unsigned int i = n * node_partitioner.global_to_local(node) + d;
+          given.local_element(i)      = velocity(dim * node + d);
+          fast_given.local_element(i) = velocity(dim * node + d);
+        }
+    cells.add_product(sums.begin(), given.begin());
+    fast_cells.add_product(fast_sums.begin(), fast_given.begin());
+    sums.compress(VectorOperation::add);
+    fast_sums.compress(VectorOperation::add);
+    double square = 0.;
+    for (unsigned int i = 0; i < sums.locally_owned_size(); ++i)
+      {
+        const double difference =
+          sums.local_element(i) - fast_sums.local_element(i);
+        square += difference * difference;
+      }
+    return double_to_single *
+           std::sqrt(Utilities::MPI::sum(square, mesh.communicator()));
   }
 
 

@@ -121,6 +121,11 @@ namespace Catena
     void
     set_right_hand_side(NodeField<double> &given);
 
+    /// What rounding leaves of the forces at the nodes of a flow with
+    /// @p velocity, as the norm of all.
+    double
+    rounding(const VectorType &velocity) const;
+
   private:
     /// A node whose velocity is not simply an unknown, by local number, too.
     struct CoupledNode
