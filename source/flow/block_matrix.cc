@@ -32,8 +32,8 @@ namespace Catena
 
   /// The values of the columns by their local numbers.
   template <int n_rows>
-  const double *
-  BlockMatrix<n_rows>::column_values(const VectorType &src) const
+  const float *
+  BlockMatrix<n_rows>::column_values(const FastVectorType &src) const
   {
     if (block_pattern->column_nodes().n_mpi_processes() == 1)
       return src.begin();
@@ -46,12 +46,12 @@ namespace Catena
 
   template <int n_rows>
   void
-  BlockMatrix<n_rows>::vmult_add(VectorType &dst, const VectorType &src) const
+  BlockMatrix<n_rows>::vmult_add(FastVectorType &dst, const FastVectorType &src) const
   {
-    const double *const       x       = column_values(src);
+    const float *const       x       = column_values(src);
     const unsigned int *const columns = block_pattern->local_columns();
     const float              *entry   = entries.data();
-    double                   *y       = dst.begin();
+    float                    *y       = dst.begin();
     for (unsigned int row = 0; row < block_pattern->n_rows(); ++row)
       {
         std::array<double, n_rows> sums = {};

@@ -57,11 +57,12 @@ namespace Catena
 
 
   template <int dim>
+  template <typename Number>
   void
-  EarlierSolutions<dim>::improve(const FlowOperator<dim> &system,
-                                 const BlockVectorType   &rhs,
-                                 const double             wanted,
-                                 BlockVectorType         &guess) const
+  EarlierSolutions<dim>::improve(const FlowOperator<dim, Number> &system,
+                                 const BlockVectorType           &rhs,
+                                 const double                     wanted,
+                                 BlockVectorType                 &guess) const
   {
     if (solutions.empty())
       return;
@@ -156,4 +157,24 @@ namespace Catena
 
   template class EarlierSolutions<2>;
   template class EarlierSolutions<3>;
+  template void
+  EarlierSolutions<2>::improve(const FlowOperator<2, double> &,
+                               const BlockVectorType &,
+                               const double,
+                               BlockVectorType &) const;
+  template void
+  EarlierSolutions<3>::improve(const FlowOperator<3, double> &,
+                               const BlockVectorType &,
+                               const double,
+                               BlockVectorType &) const;
+  template void
+  EarlierSolutions<2>::improve(const FlowOperator<2, float> &,
+                               const BlockVectorType &,
+                               const double,
+                               BlockVectorType &) const;
+  template void
+  EarlierSolutions<3>::improve(const FlowOperator<3, float> &,
+                               const BlockVectorType &,
+                               const double,
+                               BlockVectorType &) const;
 } // namespace Catena

@@ -5,26 +5,26 @@ namespace Catena
 {
   using namespace dealii;
 
-  template <int dim>
+  template <int dim, typename Number>
+  template <typename BlockVector>
   void
-  FlowOperator<dim>::vmult(BlockVectorType       &dst,
-                           const BlockVectorType &src) const
+  FlowOperator<dim, Number>::vmult(BlockVector       &dst,
+                                   const BlockVector &src) const
   {
     std::vector<double> motions, forces, contact_forces;
     if (src.n_blocks() > 2)
       motions = replicate(src.block(2));
     if (src.n_blocks() > 3)
       contact_forces = replicate(src.block(3));
-    const typename FlowSystem<dim>::Equations left{dst.block(0),
-                                                   dst.block(1),
-                                                   forces};
-    const typename FlowSystem<dim>::Unknowns  unknowns{src.block(0),
-                                                      src.block(1),
-                                                      motions};
-    if (precision == Precision::single_precision)
-      system.fast_vmult(left, unknowns);
-    else
-      system.vmult(left, unknowns);
+    using Vector = typename BlockVector::BlockType;
+    using System = FlowSystem<dim>;
+    system.template vmult<Number>(
+      typename System::template Equations<Vector>{dst.block(0),
+                                                  dst.block(1),
+                                                  forces},
+      typename System::template Unknowns<Vector>{src.block(0),
+                                                 src.block(1),
+                                                 motions});
     if (motions.empty())
       return;
     for (const auto k : dst.block(2).locally_owned_elements())
@@ -46,6 +46,22 @@ namespace Catena
 
 
 
-  template struct FlowOperator<2>;
-  template struct FlowOperator<3>;
+  template void
+  FlowOperator<2, double>::vmult(BlockVectorType &,
+                                 const BlockVectorType &) const;
+  template void
+  FlowOperator<3, double>::vmult(BlockVectorType &,
+                                 const BlockVectorType &) const;
+  template void
+  FlowOperator<2, float>::vmult(BlockVectorType &,
+                                const BlockVectorType &) const;
+  template void
+  FlowOperator<3, float>::vmult(BlockVectorType &,
+                                const BlockVectorType &) const;
+  template void
+  FlowOperator<2, float>::vmult(FastBlockVectorType &,
+                                const FastBlockVectorType &) const;
+  template void
+  FlowOperator<3, float>::vmult(FastBlockVectorType &,
+                                const FastBlockVectorType &) const;
 } // namespace Catena

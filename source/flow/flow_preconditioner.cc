@@ -26,26 +26,32 @@ namespace Catena
     class VelocityBlock
     {
     public:
-      VelocityBlock(const FlowSystem<dim> &system,
-                    const VectorType      &zero_pressure)
+      explicit VelocityBlock(const FlowSystem<dim> &system)
         : system(system)
-        , zero_pressure(zero_pressure)
-        , pressure_equations(zero_pressure)
         , no_motions(system.n_rigid(), 0.)
-      {}
+      {
+        no_pressure.reinit(system.pressure_rhs);
+        pressure_equations.reinit(no_pressure);
+      }
 
       void
-      vmult(VectorType &dst, const VectorType &src) const
+      vmult(FastVectorType &dst, const FastVectorType &src) const
       {
-        system.fast_vmult({dst, pressure_equations, motion_equations},
-                          {src, zero_pressure, no_motions});
+        system.template vmult<float>(
+          Equations{dst, pressure_equations, motion_equations},
+          Unknowns{src, no_pressure, no_motions});
       }
 
     private:
+      using Equations =
+        typename FlowSystem<dim>::template Equations<FastVectorType>;
+      using Unknowns =
+        typename FlowSystem<dim>::template Unknowns<FastVectorType>;
+
       const FlowSystem<dim>      &system;
-      const VectorType           &zero_pressure;
-      mutable VectorType          pressure_equations;
       const std::vector<double>   no_motions;
+      FastVectorType              no_pressure;
+      mutable FastVectorType      pressure_equations;
       mutable std::vector<double> motion_equations;
     };
   } // namespace
@@ -88,15 +94,16 @@ namespace Catena
 
   template <int dim>
   void
-  FlowPreconditioner<dim>::solve_velocity(VectorType        &dst,
-                                          const VectorType  &src,
-                                          const unsigned int steps) const
+  FlowPreconditioner<dim>::solve_velocity(FastVectorType       &dst,
+                                          const FastVectorType &src,
+                                          const unsigned int    steps) const
   {
     dst = 0.;
     IterationNumberControl control(steps, 1e-12);
-    pressure_src = 0.;
-    SolverGMRES<VectorType>(control).solve(
-      VelocityBlock<dim>(*system, pressure_src), dst, src, multigrid);
+    SolverGMRES<FastVectorType>(control).solve(VelocityBlock<dim>(*system),
+                                               dst,
+                                               src,
+                                               multigrid);
   }
 
 
@@ -133,21 +140,24 @@ namespace Catena
     pressure_reactions.clear();
     rigid_schur.reinit(n, n);
 
-    VectorType zero_velocity(velocity_src), column(velocity_src),
-      response(velocity_src);
-    zero_velocity = 0.;
+    FastVectorType no_velocity, no_pressure;
+    no_velocity.reinit(velocity_src);
+    no_pressure.reinit(pressure_src);
+    FastVectorType column(no_velocity), pressures(no_pressure),
+      response(no_velocity);
+    std::vector<double> forces;
+    const typename FlowSystem<dim>::template Equations<FastVectorType> products{
+      column, pressures, forces};
     for (unsigned int k = 0; k < n; ++k)
       {
-        std::vector<double> unit(n, 0.), forces;
-        unit[k]      = 1.;
-        pressure_src = 0.;
-        const typename FlowSystem<dim>::Unknowns motion{zero_velocity,
-                                                        pressure_src,
-                                                        unit};
-        system->fast_Tvmult({column, pressure_dst, forces}, motion);
+        std::vector<double> unit(n, 0.);
+        unit[k] = 1.;
+        const typename FlowSystem<dim>::template Unknowns<FastVectorType>
+          motion{no_velocity, no_pressure, unit};
+        system->Tvmult(products, motion);
         velocity_reactions.add(column);
-        pressure_reactions.add(pressure_dst);
-        system->fast_vmult({column, pressure_dst, forces}, motion);
+        pressure_reactions.add(pressures);
+        system->template vmult<float>(products, motion);
         for (unsigned int l = 0; l < n; ++l)
           rigid_schur(l, k) = forces[l];
         solve_velocity(response, column, response_iterations(n));
@@ -193,11 +203,13 @@ namespace Catena
 
   template <int dim>
   void
-  FlowPreconditioner<dim>::vmult(BlockVectorType       &dst,
-                                 const BlockVectorType &src) const
+  FlowPreconditioner<dim>::vmult(FastBlockVectorType       &dst,
+                                 const FastBlockVectorType &src) const
   {
-    mass_inverse.vmult(pressure_dst, src.block(1));
-    dst.block(1).equ(-2., pressure_dst);
+    pressure_src = src.block(1);
+    mass_inverse.vmult(pressure_dst, pressure_src);
+    pressure_dst *= -2.;
+    dst.block(1) = pressure_dst;
 
     velocity_src = src.block(0);
     velocity_src *= -1.;

@@ -194,7 +194,7 @@ namespace Catena
     forces.resize(contacts.size());
     const BlockVectorType solution = unknowns().first_guess(fields, forces);
     BlockVectorType       left     = unknowns().make_vector(contacts.size());
-    FlowOperator<dim>{*system, blocks}.vmult(left, solution);
+    FlowOperator<dim, double>{*system, blocks}.vmult(left, solution);
     left -= rhs;
     if (contacts.size() > 0)
       for (const auto c : left.block(3).locally_owned_elements())
@@ -220,9 +220,8 @@ namespace Catena
                            const BlockVectorType &rhs,
                            const ContactBlocks   &contacts)
   {
-    using Operator = FlowOperator<dim>;
-    const Operator whole_system{*system, contacts},
-      fast_system{*system, contacts, Operator::Precision::single_precision};
+    const FlowOperator<dim, double> whole_system{*system, contacts};
+    const FlowOperator<dim, float>  fast_system{*system, contacts};
     preconditioner.set_contacts(contacts);
 
     BlockVectorType residual(rhs), correction(rhs);
@@ -244,23 +243,31 @@ namespace Catena
     unsigned int iterations = 0;
     while (!(norm <= wanted))
       {
+        // of length one, far from the limits of single precision
+        residual *= 1. / norm;
+        FastBlockVectorType fast_residual, fast_correction;
+        fast_residual = residual;
+        fast_correction.reinit(fast_residual);
         SolverControl control(parameters.max_iterations - iterations,
-                              std::max(solver_share * wanted,
-                                       largest_reduction * norm));
-        typename SolverFGMRES<BlockVectorType>::AdditionalData data(100);
-        correction = 0.;
+                              std::max(solver_share * wanted / norm,
+                                       largest_reduction));
+        typename SolverFGMRES<FastBlockVectorType>::AdditionalData data(100);
         try
           {
-            SolverFGMRES<BlockVectorType>(control, data)
-              .solve(fast_system, correction, residual, preconditioner);
+            SolverFGMRES<FastBlockVectorType>(control, data)
+              .solve(fast_system,
+                     fast_correction,
+                     fast_residual,
+                     preconditioner);
           }
         catch (const SolverControl::NoConvergence &failure)
           {
             throw SolverControl::NoConvergence(iterations + failure.last_step,
-                                               failure.last_residual);
+                                               norm * failure.last_residual);
           }
         iterations += control.last_step();
-        solution += correction;
+        correction = fast_correction;
+        solution.add(norm, correction);
         const double last_norm = std::exchange(norm, find_residual());
         if (!(norm < smallest_progress * last_norm) && !(norm <= wanted))
           throw SolverControl::NoConvergence(iterations, norm);

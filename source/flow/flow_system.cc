@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace Catena
 {
@@ -82,14 +83,14 @@ namespace Catena
    * The velocities and pressures of all nodes of this rank's cells.
    */
   template <int dim>
-  template <typename Number>
+  template <typename Number, typename Vector>
   void
-  FlowSystem<dim>::give_nodes(NodeField<Number> &field,
-                              const Unknowns    &unknowns) const
+  FlowSystem<dim>::give_nodes(NodeField<Number>      &field,
+                              const Unknowns<Vector> &unknowns) const
   {
-    const unsigned int  n_owned = mesh.owned_nodes().n_elements();
-    Number *const       values  = field.begin();
-    const double *const u       = unknowns.velocity.begin();
+    const unsigned int n_owned = mesh.owned_nodes().n_elements();
+    Number *const      values  = field.begin();
+    const auto *const  u       = unknowns.velocity.begin();
     for (unsigned int i = 0; i < n_owned; ++i)
       for (unsigned int d = 0; d < dim; ++d)
         values[n * i + d] = u[dim * i + d];
@@ -119,10 +120,10 @@ namespace Catena
    * this rank.
    */
   template <int dim>
-  template <typename Number>
+  template <typename Number, typename Vector>
   void
-  FlowSystem<dim>::take_from_nodes(NodeField<Number> &field,
-                                   const Equations   &equations) const
+  FlowSystem<dim>::take_from_nodes(NodeField<Number>       &field,
+                                   const Equations<Vector> &equations) const
   {
     Number *const values = field.begin();
     for (const CoupledNode &node : coupled_nodes)
@@ -145,7 +146,7 @@ namespace Catena
     field.compress(VectorOperation::add);
 
     const unsigned int n_owned = mesh.owned_nodes().n_elements();
-    double *const      u       = equations.velocity.begin();
+    auto *const        u       = equations.velocity.begin();
     for (unsigned int i = 0; i < n_owned; ++i)
       for (unsigned int d = 0; d < dim; ++d)
         u[dim * i + d] = values[n * i + d];
@@ -191,9 +192,10 @@ namespace Catena
 
 
   template <int dim>
+  template <typename Vector>
   void
-  FlowSystem<dim>::keep_what_is_known(const Equations &dst,
-                                      const Unknowns  &src) const
+  FlowSystem<dim>::keep_what_is_known(const Equations<Vector> &dst,
+                                      const Unknowns<Vector>  &src) const
   {
     const unsigned int n_owned = mesh.owned_nodes().n_elements();
     for (const CoupledNode &node : coupled_nodes)
@@ -210,14 +212,17 @@ namespace Catena
 
 
 
+  /**
+   * @param add_cells the sums over the cells, from node to node
+   */
   template <int dim>
-  template <typename Number, typename AddCells>
+  template <typename Number, typename Vector, typename AddCells>
   void
-  FlowSystem<dim>::multiply(NodeField<Number> &from,
-                            NodeField<Number> &to,
-                            const Equations   &dst,
-                            const Unknowns    &src,
-                            const AddCells    &add_cells) const
+  FlowSystem<dim>::multiply(NodeField<Number>       &from,
+                            NodeField<Number>       &to,
+                            const Equations<Vector> &dst,
+                            const Unknowns<Vector>  &src,
+                            const AddCells          &add_cells) const
   {
     give_nodes(from, src);
     to = 0.;
@@ -233,32 +238,29 @@ namespace Catena
 
 
   template <int dim>
+  template <typename Number, typename Vector>
   void
-  FlowSystem<dim>::vmult(const Equations &dst, const Unknowns &src) const
+  FlowSystem<dim>::vmult(const Equations<Vector> &dst,
+                         const Unknowns<Vector>  &src) const
   {
-    multiply(given, sums, dst, src, [&](double *to, const double *from) {
-      cells.add_product(to, from);
-    });
+    if constexpr (std::is_same_v<Number, float>)
+      multiply(fast_given, fast_sums, dst, src, [&](auto *to, const auto *from) {
+        fast_cells.add_product(to, from);
+      });
+    else
+      multiply(given, sums, dst, src, [&](auto *to, const auto *from) {
+        cells.add_product(to, from);
+      });
   }
 
 
 
   template <int dim>
   void
-  FlowSystem<dim>::fast_vmult(const Equations &dst, const Unknowns &src) const
+  FlowSystem<dim>::Tvmult(const Equations<FastVectorType> &dst,
+                          const Unknowns<FastVectorType>  &src) const
   {
-    multiply(fast_given, fast_sums, dst, src, [&](float *to, const float *from) {
-      fast_cells.add_product(to, from);
-    });
-  }
-
-
-
-  template <int dim>
-  void
-  FlowSystem<dim>::fast_Tvmult(const Equations &dst, const Unknowns &src) const
-  {
-    multiply(fast_given, fast_sums, dst, src, [&](float *to, const float *from) {
+    multiply(fast_given, fast_sums, dst, src, [&](auto *to, const auto *from) {
       fast_cells.add_transposed_product(to, from);
     });
   }
@@ -278,7 +280,10 @@ namespace Catena
     const std::vector<double> at_rest(n_rigid(), 0.);
     rigid_rhs = at_rest;
     add_pressure_drop(forces, rigid_rhs, given, at_rest);
-    take_from_nodes(forces, {velocity_rhs, pressure_rhs, rigid_rhs});
+    take_from_nodes(forces,
+                    Equations<VectorType>{velocity_rhs,
+                                          pressure_rhs,
+                                          rigid_rhs});
     if (n_rigid() > 0)
       Utilities::MPI::sum(rigid_rhs, mesh.communicator(), rigid_rhs);
     if (mesh.scene().pressure_driven())
@@ -324,4 +329,26 @@ namespace Catena
 
   template class FlowSystem<2>;
   template class FlowSystem<3>;
+  template FlowSystem<2>::NodeField<double>
+  FlowSystem<2>::node_field() const;
+  template FlowSystem<3>::NodeField<double>
+  FlowSystem<3>::node_field() const;
+  template void
+  FlowSystem<2>::vmult<double>(const Equations<VectorType> &,
+                               const Unknowns<VectorType> &) const;
+  template void
+  FlowSystem<3>::vmult<double>(const Equations<VectorType> &,
+                               const Unknowns<VectorType> &) const;
+  template void
+  FlowSystem<2>::vmult<float>(const Equations<VectorType> &,
+                              const Unknowns<VectorType> &) const;
+  template void
+  FlowSystem<3>::vmult<float>(const Equations<VectorType> &,
+                              const Unknowns<VectorType> &) const;
+  template void
+  FlowSystem<2>::vmult<float>(const Equations<FastVectorType> &,
+                              const Unknowns<FastVectorType> &) const;
+  template void
+  FlowSystem<3>::vmult<float>(const Equations<FastVectorType> &,
+                              const Unknowns<FastVectorType> &) const;
 } // namespace Catena

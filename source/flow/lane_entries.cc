@@ -6,10 +6,9 @@
 
 namespace Catena
 {
-  LaneEntries::LaneEntries(const NodeMatrix             &shared,
-                           const SparseRows             &shared_rows,
-                           const std::vector<FieldRows> &others,
-                           const std::vector<FieldMask> &masks)
+  LaneEntries::LaneEntries(const NodeMatrix               &shared,
+                           const std::vector<FieldMatrix> &others,
+                           const std::vector<FieldMask>   &masks)
   {
     const std::vector<unsigned int> node_fields =
       with_ghosts({masks.begin(), masks.end()}, shared.column_nodes());
@@ -21,11 +20,11 @@ namespace Catena
             const unsigned int fields =
               node_fields[i] & node_fields[shared.column(k)];
             std::array<float, n_lanes> differences = {};
-            for (const FieldRows &other : others)
+            for (const FieldMatrix &other : others)
               for (unsigned int lane = 0; lane < n_lanes; ++lane)
                 if (((other.fields & fields) >> lane) & 1U)
                   differences[lane] =
-                    other.rows.values[k] - shared_rows.values[k];
+                    other.matrix.value(k) - shared.value(k);
             if (std::any_of(differences.begin(),
                             differences.end(),
                             [](const float x) { return x != 0.f; }))

@@ -15,7 +15,6 @@ namespace Catena
     : mesh(mesh)
   {
     make_patterns(couplings);
-    find_offsets(couplings);
     group_components(couplings);
   }
 
@@ -79,35 +78,6 @@ namespace Catena
                          comm);
     mass_access =
       CsrAccess(pressure_mass, mesh.owned_scalars(), mesh.relevant_scalars());
-  }
-
-
-
-  template <int dim>
-  void
-  PreconditionerMatrices<dim>::find_offsets(
-    const std::vector<NodeCoupling<dim>> &couplings)
-  {
-    offsets.assign(mesh.cells().size(), Offsets());
-    for (unsigned int c = 0; c < offsets.size(); ++c)
-      {
-        const auto &cell = mesh.cells()[c];
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          {
-            const NodeCoupling<dim> &test = couplings[cell.nodes[a]];
-            const unsigned int       row  = node_pattern->row(test.master);
-            if (!test.has_unknown() || row == BlockPattern::absent)
-              continue;
-            for (unsigned int b = 0; b < n_nodes; ++b)
-              if (couplings[cell.nodes[b]].has_unknown())
-                offsets[c].nodes[a][b] =
-                  node_pattern->offset(row, couplings[cell.nodes[b]].master);
-            for (unsigned int v = 0; v < n_vertices; ++v)
-              offsets[c].gradient[v][a] =
-                gradient.pattern().offset(row,
-                                          mesh.vertex_master(cell.vertices[v]));
-          }
-      }
   }
 
 
@@ -183,8 +153,7 @@ namespace Catena
     const PreconditionerElement<dim>     &element,
     const std::vector<NodeCoupling<dim>> &couplings)
   {
-    const auto    &cell   = mesh.cells()[c];
-    const Offsets &offset = offsets[c];
+    const auto                          &cell = mesh.cells()[c];
     std::array<unsigned int, n_vertices> vertices;
     for (unsigned int v = 0; v < n_vertices; ++v)
       vertices[v] = mesh.vertex_master(cell.vertices[v]);
@@ -207,24 +176,23 @@ namespace Catena
           continue;
         for (unsigned int v = 0; v < n_vertices; ++v)
           {
-            float *block = gradient.block(row, offset.gradient[v][a]);
+            float *block =
+              gradient.block(row, gradient.pattern().offset(row, vertices[v]));
             for (unsigned int d = 0; d < dim; ++d)
               block[d] +=
                 test.factors[d] * element.gradient[v].components[d][a];
           }
-        for (ComponentMatrix &group : component_matrices)
+        for (unsigned int b = 0; b < n_nodes; ++b)
           {
-            const double factor = test.shared_factor(group.components);
-            if (factor == 0.)
+            const NodeCoupling<dim> &trial = couplings[cell.nodes[b]];
+            if (!trial.has_unknown())
               continue;
-            for (unsigned int b = 0; b < n_nodes; ++b)
-              {
-                const double trial =
-                  couplings[cell.nodes[b]].shared_factor(group.components);
-                if (trial != 0.)
-                  *group.matrix.block(row, offset.nodes[a][b]) +=
-                    factor * trial * element.component[a][b];
-              }
+            const unsigned int offset =
+              node_pattern->offset(row, trial.master);
+            for (ComponentMatrix &group : component_matrices)
+              *group.matrix.block(row, offset) +=
+                test.shared_factor(group.components) *
+                trial.shared_factor(group.components) * element.component[a][b];
           }
       }
   }

@@ -15,6 +15,9 @@ namespace Catena
     {
       const BlockPattern &pattern = matrix.pattern();
       SparseRows          rows;
+      rows.starts.reserve(pattern.n_rows() + 1);
+      rows.columns.reserve(pattern.n_blocks());
+      rows.values.reserve(pattern.n_blocks());
       for (unsigned int row = 0; row < pattern.n_rows(); ++row)
         {
           for (unsigned int k = pattern.row_start(row);
@@ -37,14 +40,14 @@ namespace Catena
     const std::vector<NodeCoupling<dim>> &couplings,
     const PreconditionerMatrices<dim>    &matrices)
   {
-    const MPI_Comm   comm = mesh.communicator();
-    const SparseRows shared_rows =
+    const MPI_Comm comm = mesh.communicator();
+    SparseRows     shared_rows =
       owned_rows(matrices.component_matrices.front().matrix);
     const auto nodes = make_nodes(shared_rows.size(), {&shared_rows}, comm);
-    const NodeMatrix shared(shared_rows, nodes);
+    NodeMatrix shared(std::move(shared_rows), nodes);
 
-    std::vector<FieldMask>              masks(shared_rows.size(), 0);
-    std::vector<LaneEntries::FieldRows> others;
+    std::vector<FieldMask>                masks(shared.n_rows(), 0);
+    std::vector<LaneEntries::FieldMatrix> others;
     for (const auto &group : matrices.component_matrices)
       {
         const VertexInterpolation<dim> interpolation(mesh,
@@ -67,26 +70,25 @@ namespace Catena
         FieldMask fields = 0;
         for (const unsigned int component : group.components)
           fields |= 1U << component;
-        SparseRows rows = owned_rows(group.matrix);
-        add_correction(NodeMatrix(rows, nodes));
-        others.push_back({fields, std::move(rows)});
+        others.push_back({fields, NodeMatrix(owned_rows(group.matrix), nodes)});
+        add_correction(others.back().matrix);
       }
-    finest = std::make_unique<MultigridLevel>(
-      shared,
-      masks,
-      smoothing_range,
-      LaneEntries(shared, shared_rows, others, masks));
+    LaneEntries differences(shared, others, masks);
+    finest = std::make_unique<MultigridLevel>(std::move(shared),
+                                              masks,
+                                              smoothing_range,
+                                              std::move(differences));
   }
 
 
 
   template <int dim>
   void
-  VelocityMultigrid<dim>::vmult(VectorType &dst, const VectorType &src) const
+  VelocityMultigrid<dim>::vmult(FastVectorType &dst, const FastVectorType &src) const
   {
     const unsigned int  n    = finest->matrix().n_rows();
-    const double *const from = src.begin();
-    double *const       to   = dst.begin();
+    const float *const  from = src.begin();
+    float *const        to   = dst.begin();
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int d = 0; d < dim; ++d)
         finest->residual.local_element(n_lanes * i + d) = from[dim * i + d];

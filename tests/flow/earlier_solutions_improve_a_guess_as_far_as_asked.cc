@@ -34,8 +34,8 @@ namespace
                      scene.imposed_gradient(),
                      flow,
                      nullptr);
-    const ContactBlocks   no_contacts;
-    const FlowOperator<2> system{flow, no_contacts};
+    const ContactBlocks           no_contacts;
+    const FlowOperator<2, double> system{flow, no_contacts};
 
     std::mt19937                     generator(1);
     std::normal_distribution<double> normal;

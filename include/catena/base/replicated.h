@@ -8,12 +8,14 @@
 namespace Catena
 {
   /// The values of a block that rank 0 owns, on every rank.
+  template <typename Vector>
   std::vector<double>
-  replicate(const VectorType &block);
+  replicate(const Vector &block);
 
   /// Set a block that rank 0 owns.
+  template <typename Vector>
   void
-  set_replicated(VectorType &block, const std::vector<double> &values);
+  set_replicated(Vector &block, const std::vector<double> &values);
 } // namespace Catena
 
 #endif

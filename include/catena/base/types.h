@@ -13,6 +13,11 @@ namespace Catena
   using BlockVectorType =
     dealii::LinearAlgebra::distributed::BlockVector<double>;
 
+  /// The same in single precision, for what is not more than a correction.
+  using FastVectorType = dealii::LinearAlgebra::distributed::Vector<float>;
+  using FastBlockVectorType =
+    dealii::LinearAlgebra::distributed::BlockVector<float>;
+
   /// Number of P2 nodes of a simplex.
   constexpr unsigned int
   n_quadratic_nodes(const int dim)

@@ -14,8 +14,7 @@ namespace Catena
    * freedom of a node one after the other. For each pair of coupled nodes there
    * is one block and one index, and what a cell adds to it lies side by side.
    *
-   * Products are bound by memory: entries are in single, sums in double
-   * precision.
+   * Products are bound by memory: all is in single precision.
    */
   template <int n_rows>
   class BlockMatrix
@@ -58,17 +57,17 @@ namespace Catena
 
     /// dst += A src
     void
-    vmult_add(VectorType &dst, const VectorType &src) const;
+    vmult_add(FastVectorType &dst, const FastVectorType &src) const;
 
   private:
     std::shared_ptr<const BlockPattern> block_pattern;
     std::vector<float>                  entries;
 
     /// has the ghosts of the columns, if there are other ranks
-    mutable VectorType ghosted_src;
+    mutable FastVectorType ghosted_src;
 
-    const double *
-    column_values(const VectorType &src) const;
+    const float *
+    column_values(const FastVectorType &src) const;
   };
 } // namespace Catena
 

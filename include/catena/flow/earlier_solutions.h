@@ -43,11 +43,12 @@ namespace Catena
      * Improve @p guess until its residual is at most @p wanted or no solution
      * is left.
      */
+    template <typename Number>
     void
-    improve(const FlowOperator<dim> &system,
-            const BlockVectorType   &rhs,
-            const double             wanted,
-            BlockVectorType         &guess) const;
+    improve(const FlowOperator<dim, Number> &system,
+            const BlockVectorType           &rhs,
+            const double                     wanted,
+            BlockVectorType                 &guess) const;
 
     /// Makes a vector with the blocks of a solution with that many contacts.
     using MakeVector = std::function<BlockVectorType(const unsigned int)>;

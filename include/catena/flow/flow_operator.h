@@ -7,26 +7,23 @@
 namespace Catena
 {
   /**
-   * FlowSystem with contacts: to the
-   * unknowns (u', p, r, F_r) it has the rows of FlowSystem, less the force
-   * shares F_r rates^T of the contacts, and the gap rates rates r.
+   * FlowSystem with contacts: to the unknowns (u', p, r, F_r) it has the rows
+   * of FlowSystem, less the force shares F_r rates^T of the contacts, and the
+   * gap rates rates r.
+   *
+   * @tparam Number of the sums over the cells
    */
-  template <int dim>
+  template <int dim, typename Number>
   struct FlowOperator
   {
-    /// Of the sums over cells.
-    enum class Precision
-    {
-      double_precision,
-      single_precision
-    };
-
     const FlowSystem<dim> &system;
     const ContactBlocks   &contacts;
-    Precision              precision = Precision::double_precision;
 
+    /// @tparam BlockVector BlockVectorType or, in single precision,
+    /// FastBlockVectorType
+    template <typename BlockVector>
     void
-    vmult(BlockVectorType &dst, const BlockVectorType &src) const;
+    vmult(BlockVector &dst, const BlockVector &src) const;
   };
 } // namespace Catena
 

@@ -66,7 +66,7 @@ namespace Catena
     }
 
     void
-    vmult(BlockVectorType &dst, const BlockVectorType &src) const;
+    vmult(FastBlockVectorType &dst, const FastBlockVectorType &src) const;
 
     /// Cost of initialize(), in iterations of the solver, roughly.
     unsigned int
@@ -94,16 +94,17 @@ namespace Catena
     /// R and D^T, the rows of the rigid-body unknowns
     SparseProducts velocity_reactions, pressure_reactions;
     /// A^-1 C, approximately, and the Schur complement S - R A^-1 C
-    std::vector<VectorType>    rigid_responses;
-    dealii::FullMatrix<double> rigid_schur, small_inverse;
+    std::vector<FastVectorType> rigid_responses;
+    dealii::FullMatrix<double>  rigid_schur, small_inverse;
 
-    mutable VectorType velocity_src, pressure_dst, pressure_src;
+    mutable FastVectorType velocity_src;
+    mutable VectorType     pressure_dst, pressure_src;
 
     /// dst = A^-1 src, approximately
     void
-    solve_velocity(VectorType        &dst,
-                   const VectorType  &src,
-                   const unsigned int steps) const;
+    solve_velocity(FastVectorType       &dst,
+                   const FastVectorType &src,
+                   const unsigned int    steps) const;
 
     void
     initialize_mass();

@@ -87,32 +87,33 @@ namespace Catena
     std::vector<double> rigid_rhs;
 
     /// A vector of unknowns (u', p, r), r the same on every rank.
+    template <typename Vector>
     struct Unknowns
     {
-      const VectorType          &velocity, &pressure;
+      const Vector              &velocity, &pressure;
       const std::vector<double> &motions;
     };
 
     /// One of the same kind that is written to.
+    template <typename Vector>
     struct Equations
     {
-      VectorType          &velocity, &pressure;
+      Vector              &velocity, &pressure;
       std::vector<double> &motions;
     };
 
     /**
-     * dst = A src. The equation of what is not solved for is that it is its own
-     * value.
+     * dst = A src, with sums over the cells in the precision of @p Number. The
+     * equation of what is not solved for is that it is its own value.
      */
+    template <typename Number, typename Vector>
     void
-    vmult(const Equations &dst, const Unknowns &src) const;
+    vmult(const Equations<Vector> &dst, const Unknowns<Vector> &src) const;
 
-    /// dst = A src and dst = A^T src in single precision.
+    /// dst = A^T src in single precision.
     void
-    fast_vmult(const Equations &dst, const Unknowns &src) const;
-
-    void
-    fast_Tvmult(const Equations &dst, const Unknowns &src) const;
+    Tvmult(const Equations<FastVectorType> &dst,
+           const Unknowns<FastVectorType>  &src) const;
 
     /**
      * Right-hand sides from what is given at the nodes of this rank's cells,
@@ -153,13 +154,15 @@ namespace Catena
     mutable NodeField<double> given, sums;
     mutable NodeField<float>  fast_given, fast_sums;
 
-    template <typename Number>
+    template <typename Number, typename Vector>
     void
-    give_nodes(NodeField<Number> &field, const Unknowns &unknowns) const;
+    give_nodes(NodeField<Number>      &field,
+               const Unknowns<Vector> &unknowns) const;
 
-    template <typename Number>
+    template <typename Number, typename Vector>
     void
-    take_from_nodes(NodeField<Number> &field, const Equations &equations) const;
+    take_from_nodes(NodeField<Number>       &field,
+                    const Equations<Vector> &equations) const;
 
     template <typename Number>
     void
@@ -168,16 +171,18 @@ namespace Catena
                       const NodeField<Number>   &given,
                       const std::vector<double> &motions) const;
 
+    template <typename Vector>
     void
-    keep_what_is_known(const Equations &dst, const Unknowns &src) const;
+    keep_what_is_known(const Equations<Vector> &dst,
+                       const Unknowns<Vector>  &src) const;
 
-    template <typename Number, typename AddCells>
+    template <typename Number, typename Vector, typename AddCells>
     void
-    multiply(NodeField<Number> &from,
-             NodeField<Number> &to,
-             const Equations   &dst,
-             const Unknowns    &src,
-             const AddCells    &add_cells) const;
+    multiply(NodeField<Number>       &from,
+             NodeField<Number>       &to,
+             const Equations<Vector> &dst,
+             const Unknowns<Vector>  &src,
+             const AddCells          &add_cells) const;
   };
 } // namespace Catena
 

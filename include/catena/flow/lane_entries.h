@@ -16,25 +16,23 @@ namespace Catena
   class LaneEntries
   {
   public:
-    /// The rows of the matrix of some of the fields.
-    struct FieldRows
+    /// The matrix of some of the fields.
+    struct FieldMatrix
     {
       FieldMask  fields;
-      SparseRows rows;
+      NodeMatrix matrix;
     };
 
     LaneEntries() = default;
 
     /**
      * @param shared the shared matrix
-     * @param shared_rows its rows
      * @param others those of other fields, with the same columns
      * @param masks which fields have an unknown, by node of this rank
      */
-    LaneEntries(const NodeMatrix             &shared,
-                const SparseRows             &shared_rows,
-                const std::vector<FieldRows> &others,
-                const std::vector<FieldMask> &masks);
+    LaneEntries(const NodeMatrix               &shared,
+                const std::vector<FieldMatrix> &others,
+                const std::vector<FieldMask>   &masks);
 
     /// dst += factor E src
     void

@@ -73,27 +73,12 @@ namespace Catena
     static constexpr unsigned int n_nodes    = n_quadratic_nodes(dim);
     static constexpr unsigned int n_vertices = n_linear_nodes(dim);
 
-    /**
-     * Which blocks of their rows are those of a cell's pairs, found once for
-     * each pattern.
-     */
-    struct Offsets
-    {
-      std::array<std::array<unsigned short, n_nodes>, n_nodes>    nodes;
-      std::array<std::array<unsigned short, n_nodes>, n_vertices> gradient;
-    };
-
     const MovingMesh<dim>              &mesh;
     std::shared_ptr<const BlockPattern> node_pattern;
     CsrAccess                           mass_access;
-    /// by cell of the mesh
-    std::vector<Offsets> offsets;
 
     void
     make_patterns(const std::vector<NodeCoupling<dim>> &couplings);
-
-    void
-    find_offsets(const std::vector<NodeCoupling<dim>> &couplings);
 
     void
     group_components(const std::vector<NodeCoupling<dim>> &couplings);

@@ -22,7 +22,7 @@ namespace Catena
 
     /// One more vector.
     void
-    add(const VectorType &vector)
+    add(const FastVectorType &vector)
     {
       vectors.emplace_back();
       for (unsigned int i = 0; i < vector.locally_owned_size(); ++i)
@@ -32,7 +32,7 @@ namespace Catena
 
     /// products[k] += vector k . src, the part of this rank
     void
-    add_to(std::vector<double> &products, const VectorType &src) const
+    add_to(std::vector<double> &products, const FastVectorType &src) const
     {
       for (unsigned int k = 0; k < vectors.size(); ++k)
         for (const Entry &entry : vectors[k])
@@ -43,7 +43,7 @@ namespace Catena
     struct Entry
     {
       unsigned int index;
-      double       value;
+      float        value;
     };
     std::vector<std::vector<Entry>> vectors;
   };

@@ -32,7 +32,7 @@ namespace Catena
                       const PreconditionerMatrices<dim>    &matrices);
 
     void
-    vmult(VectorType &dst, const VectorType &src) const;
+    vmult(FastVectorType &dst, const FastVectorType &src) const;
 
   private:
     std::unique_ptr<MultigridLevel> finest;
