@@ -416,7 +416,10 @@ namespace
       const ContactBlocks   no_contacts;
       const double wanted = FlowSolverParameters().tolerance * rhs.l2_norm();
       if (improves())
-        earlier_solutions.improve({*flow, no_contacts}, rhs, wanted, guess);
+        earlier_solutions.improve(FlowOperator<3, float>{*flow, no_contacts},
+                                  rhs,
+                                  wanted,
+                                  guess);
       // one pressure is zero in the whole system
       guess.block(1).add(-guess.block(1)(system->zero_pressure()));
       Vector<double>                              x = system->gather(guess);

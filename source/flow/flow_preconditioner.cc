@@ -71,12 +71,26 @@ namespace Catena
 
   template <int dim>
   void
+  FlowPreconditioner<dim>::clear()
+  {
+    multigrid = VelocityMultigrid<dim>();
+    mass_inverse.clear();
+    rigid_responses.clear();
+    velocity_reactions.clear();
+    pressure_reactions.clear();
+  }
+
+
+
+  template <int dim>
+  void
   FlowPreconditioner<dim>::initialize(
     const MovingMesh<dim>                &mesh,
     const std::vector<NodeCoupling<dim>> &couplings,
     const FlowSystem<dim>                &new_system,
     const PreconditionerMatrices<dim>    &new_matrices)
   {
+    clear();
     system   = &new_system;
     matrices = &new_matrices;
     strong   = false;
@@ -135,9 +149,6 @@ namespace Catena
   FlowPreconditioner<dim>::initialize_rigid()
   {
     const unsigned int n = system->n_rigid();
-    rigid_responses.clear();
-    velocity_reactions.clear();
-    pressure_reactions.clear();
     rigid_schur.reinit(n, n);
 
     FastVectorType no_velocity, no_pressure;

@@ -5,6 +5,7 @@
 #include <catena/flow/velocity_constraints.h>
 
 #include <deal.II/lac/solver_gmres.h>
+#include <deal.II/lac/vector_memory.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,6 +83,7 @@ namespace Catena
     held   = held_in_place;
     set_configuration(new_configuration);
     // the former ones first: together they would take twice the memory
+    preconditioner.clear();
     system.reset();
     preconditioner_matrices.reset();
     system = std::make_unique<FlowSystem<dim>>(*mesh, *bodies, couplings);
@@ -145,6 +147,9 @@ namespace Catena
   void
   FlowSolver<dim>::assemble_system()
   {
+    // the former one first: together they would take twice the memory
+    if (preconditioner_is_due)
+      preconditioner.clear();
     assemble_flow(*mesh,
                   couplings,
                   *last_stress,
@@ -265,6 +270,7 @@ namespace Catena
             throw SolverControl::NoConvergence(iterations + failure.last_step,
                                                norm * failure.last_residual);
           }
+        GrowingVectorMemory<FastBlockVectorType>::release_unused_memory();
         iterations += control.last_step();
         correction = fast_correction;
         solution.add(norm, correction);

@@ -3,8 +3,6 @@
 
 #include <catena/flow/block_matrix.h>
 
-#include <cmath>
-
 #include "../tests.h"
 
 using namespace dealii;
@@ -29,23 +27,24 @@ namespace
     return ((7 * row + 3 * column) % 11) / 8. - 0.5;
   }
 
+  /// Products and sums of them have no rounding.
   double
   source(const unsigned int dof)
   {
-    return std::sin(1. + dof);
+    return ((5 * dof) % 16) / 8. - 1.;
   }
 
   template <int n_rows>
   double
   product_error(const BlockMatrix<n_rows> &matrix,
-                const VectorType          &src,
-                VectorType                 dst)
+                const FastVectorType      &src,
+                FastVectorType             dst)
   {
     dst = 1.;
     matrix.vmult_add(dst, src);
     matrix.vmult_add(dst, src);
     const unsigned int n = src.size();
-    VectorType         difference(dst);
+    FastVectorType     difference(dst);
     for (const auto row : dst.locally_owned_elements())
       {
         difference(row) -= 1.;
@@ -91,7 +90,7 @@ namespace
 
     const std::string shape =
       ", blocks of " + std::to_string(n_rows) + " numbers";
-    VectorType src(owned(1), comm), dst(owned(n_rows), comm);
+    FastVectorType src(owned(1), comm), dst(owned(n_rows), comm);
     for (const auto i : src.locally_owned_elements())
       src(i) = source(i);
     claims.at_most("products are right" + shape,

@@ -111,8 +111,8 @@ compare(Tests::Claims &claims, const double degrees, const bool held)
     pair_in<dim>(dim == 3 ? Symmetry::half : Symmetry::none, degrees);
   const auto mesh = generate_mesh<dim>(quarter_scene, parameters);
 
-  Tests::StokesProblem<dim> quarter(quarter_scene, mesh, 1e-11);
-  Tests::StokesProblem<dim> half(half_scene, twice<dim>(mesh), 1e-11);
+  Tests::StokesProblem<dim> quarter(quarter_scene, mesh, 1e-12);
+  Tests::StokesProblem<dim> half(half_scene, twice<dim>(mesh), 1e-12);
   const auto                solve = [&](Tests::StokesProblem<dim> &problem,
                          const Scene<dim>          &scene) {
     std::vector<Contact<dim>> candidates;

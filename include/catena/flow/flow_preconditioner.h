@@ -41,6 +41,10 @@ namespace Catena
   class FlowPreconditioner
   {
   public:
+    /// Give the memory free until initialize().
+    void
+    clear();
+
     /// Set up from newly assembled ones, not strengthened.
     void
     initialize(const MovingMesh<dim>                &mesh,
