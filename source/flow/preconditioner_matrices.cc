@@ -3,10 +3,62 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace Catena
 {
   using namespace dealii;
+
+  namespace
+  {
+    /// Of a node without an unknown.
+    constexpr unsigned int no_master = numbers::invalid_unsigned_int;
+
+
+
+    /**
+     * The columns of a cell in a pattern, in the order in which its rows have
+     * them.
+     */
+    template <std::size_t n>
+    class PatternPlaces
+    {
+    public:
+      /// @param columns nodes, or no_master
+      PatternPlaces(const BlockPattern                &pattern,
+                    const std::array<unsigned int, n> &columns)
+        : pattern(pattern)
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          if (columns[i] != no_master)
+            places[size++] = {pattern.column_nodes().global_to_local(
+                                columns[i]),
+                              i};
+        std::sort(places.begin(), places.begin() + size);
+      }
+
+      /// Call @p action with the number of each column and of its block.
+      template <typename Action>
+      void
+      in_row(const unsigned int row, const Action &action) const
+      {
+        unsigned int k = pattern.row_start(row);
+        for (unsigned int i = 0; i < size; ++i)
+          {
+            while (pattern.local_columns()[k] != places[i].first)
+              ++k;
+            action(places[i].second, k);
+          }
+      }
+
+    private:
+      const BlockPattern                                   &pattern;
+      std::array<std::pair<unsigned int, unsigned int>, n> places;
+      unsigned int                                         size = 0;
+    };
+  } // namespace
+
+
 
   template <int dim>
   PreconditionerMatrices<dim>::PreconditionerMatrices(
@@ -168,32 +220,41 @@ namespace Catena
                           mass_access.column(vertices[w]),
                           element.mass[v][w]);
       }
+    const unsigned int n_groups = component_matrices.size();
+    std::array<std::array<double, n_nodes>, dim> factors;
+    std::array<unsigned int, n_nodes>            masters;
     for (unsigned int a = 0; a < n_nodes; ++a)
       {
-        const NodeCoupling<dim> &test = couplings[cell.nodes[a]];
-        const unsigned int       row  = node_pattern->row(test.master);
-        if (!test.has_unknown() || row == BlockPattern::absent)
+        const NodeCoupling<dim> &coupling = couplings[cell.nodes[a]];
+        masters[a] = coupling.has_unknown() ? coupling.master : no_master;
+        for (unsigned int g = 0; g < n_groups; ++g)
+          factors[g][a] =
+            coupling.shared_factor(component_matrices[g].components);
+      }
+    // others may have columns that are none of this rank's
+    if (std::all_of(masters.begin(), masters.end(), [&](const unsigned int m) {
+          return node_pattern->row(m) == BlockPattern::absent;
+        }))
+      return;
+    const PatternPlaces<n_nodes>    nodes(*node_pattern, masters);
+    const PatternPlaces<n_vertices> pressures(gradient.pattern(), vertices);
+
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      {
+        const unsigned int row = node_pattern->row(masters[a]);
+        if (masters[a] == no_master || row == BlockPattern::absent)
           continue;
-        for (unsigned int v = 0; v < n_vertices; ++v)
-          {
-            float *block =
-              gradient.block(row, gradient.pattern().offset(row, vertices[v]));
-            for (unsigned int d = 0; d < dim; ++d)
-              block[d] +=
-                test.factors[d] * element.gradient[v].components[d][a];
-          }
-        for (unsigned int b = 0; b < n_nodes; ++b)
-          {
-            const NodeCoupling<dim> &trial = couplings[cell.nodes[b]];
-            if (!trial.has_unknown())
-              continue;
-            const unsigned int offset =
-              node_pattern->offset(row, trial.master);
-            for (ComponentMatrix &group : component_matrices)
-              *group.matrix.block(row, offset) +=
-                test.shared_factor(group.components) *
-                trial.shared_factor(group.components) * element.component[a][b];
-          }
+        const NodeCoupling<dim> &test = couplings[cell.nodes[a]];
+        pressures.in_row(row, [&](const unsigned int v, const unsigned int k) {
+          for (unsigned int d = 0; d < dim; ++d)
+            gradient.block(k)[d] +=
+              test.factors[d] * element.gradient[v].components[d][a];
+        });
+        nodes.in_row(row, [&](const unsigned int b, const unsigned int k) {
+          for (unsigned int g = 0; g < n_groups; ++g)
+            *component_matrices[g].matrix.block(k) +=
+              factors[g][a] * factors[g][b] * element.component[a][b];
+        });
       }
   }
 
