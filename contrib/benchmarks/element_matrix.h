@@ -19,9 +19,8 @@ struct ElementMatrix
   std::array<std::array<double, n>, n> entries;
 
   void
-  integrate(
-    const std::vector<Catena::CellValues<3>::PointValues> &points,
-    const std::vector<Catena::StressCoefficients<3>>      &coefficients)
+  integrate(const std::vector<Catena::CellValues<3>::PointValues> &points,
+            const std::vector<Catena::StressCoefficients<3>>      &coefficients)
   {
     using Catena::NodeNumbers;
     using Catena::NodeVectors;

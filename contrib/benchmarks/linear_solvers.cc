@@ -325,12 +325,8 @@ namespace
     void
     prepare(const StressModel<3> &stress) override
     {
-      assemble_flow<3>(mesh,
-                       couplings,
-                       stress,
-                       Scene<3>::imposed_gradient(),
-                       *flow,
-                       nullptr);
+      assemble_flow<3>(
+        mesh, couplings, stress, Scene<3>::imposed_gradient(), *flow, nullptr);
     }
 
     void

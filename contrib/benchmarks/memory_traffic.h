@@ -36,11 +36,11 @@ namespace Catena
 
 
   /**
-   * Bytes that FlowSolver has to move for a solution: what it knows of the cells
-   * once for each product, every entry and every index of the matrices of the
-   * preconditioner once for each product and each sweep over them, and the basis
-   * of GMRES twice for each of its vectors. What the coarser levels of the
-   * multigrid and the other vectors take is left out.
+   * Bytes that FlowSolver has to move for a solution: what it knows of the
+   * cells once for each product, every entry and every index of the matrices of
+   * the preconditioner once for each product and each sweep over them, and the
+   * basis of GMRES twice for each of its vectors. What the coarser levels of
+   * the multigrid and the other vectors take is left out.
    */
   inline double
   bytes_of_a_solution(const FlowSystem<3>             &system,

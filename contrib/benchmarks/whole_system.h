@@ -43,7 +43,7 @@ public:
       if (mesh.edge_ends(node)[0] == mesh.edge_ends(node)[1] &&
           mesh.identification().master(node) == static_cast<unsigned int>(node))
         {
-          last_pressure                  = mesh.vertex_of_node(node);
+          last_pressure = mesh.vertex_of_node(node);
           pressure_places[last_pressure] = n_places++;
         }
     };
@@ -194,8 +194,7 @@ private:
       for (unsigned int v = 0; v < ElementMatrix::n_vertices; ++v)
         {
           const int place =
-            system
-              .pressure_places[system.mesh.vertex_master(cell.vertices[v])];
+            system.pressure_places[system.mesh.vertex_master(cell.vertices[v])];
           if (place >= 0)
             shares[3 * ElementMatrix::n_nodes + v].emplace_back(place, 1.);
         }

@@ -46,9 +46,10 @@ namespace Catena
 
   template <int n_rows>
   void
-  BlockMatrix<n_rows>::vmult_add(FastVectorType &dst, const FastVectorType &src) const
+  BlockMatrix<n_rows>::vmult_add(FastVectorType       &dst,
+                                 const FastVectorType &src) const
   {
-    const float *const       x       = column_values(src);
+    const float *const        x       = column_values(src);
     const unsigned int *const columns = block_pattern->local_columns();
     const float              *entry   = entries.data();
     float                    *y       = dst.begin();

@@ -53,14 +53,13 @@ namespace Catena
                 PreconditionerMatrices<dim>          *preconditioner,
                 const Function<dim>                  *body_force)
   {
-    auto         forces  = system.template node_field<double>();
-    VectorType   volumes = mesh.scalar_field();
-    const bool   driven  = mesh.scene().pressure_driven();
-    system.node_volumes.assign(
-      driven ? system.nodes().locally_owned_size() +
-                 system.nodes().n_ghost_indices() :
-               0,
-      0.);
+    auto       forces  = system.template node_field<double>();
+    VectorType volumes = mesh.scalar_field();
+    const bool driven  = mesh.scene().pressure_driven();
+    system.node_volumes.assign(driven ? system.nodes().locally_owned_size() +
+                                          system.nodes().n_ghost_indices() :
+                                        0,
+                               0.);
     system.cells.use_tangents(stress.has_tangent());
     if (preconditioner)
       preconditioner->clear();

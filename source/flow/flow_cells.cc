@@ -4,6 +4,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+
 #include <experimental/simd>
 
 namespace Catena
@@ -104,7 +105,7 @@ namespace Catena
     {
       static constexpr unsigned int n_nodes = n_quadratic_nodes(dim),
                                     width   = CellBatches<dim>::width;
-      using Pack = CellPack<dim, Number>;
+      using Pack                            = CellPack<dim, Number>;
       using AtNode =
         simd::simd<Number,
                    simd::simd_abi::deduce_t<Number, int(n_node_numbers)>>;
@@ -157,15 +158,15 @@ namespace Catena
               const NodePacks<dim, Number>     &x,
               NodePacks<dim, Number>           &y)
     {
-      using Pack                         = CellPack<dim, Number>;
-      using Packs                        = std::array<Pack, dim>;
-      constexpr unsigned int n_nodes     = n_quadratic_nodes(dim);
-      constexpr unsigned int n_vertices  = n_linear_nodes(dim);
+      using Pack                        = CellPack<dim, Number>;
+      using Packs                       = std::array<Pack, dim>;
+      constexpr unsigned int n_nodes    = n_quadratic_nodes(dim);
+      constexpr unsigned int n_vertices = n_linear_nodes(dim);
       for (auto &node : y.values)
         node.fill(Pack(0));
 
       // rows: gradients of the coordinates of the reference cell
-      std::array<Packs, dim> J = {};
+      std::array<Packs, dim> J             = {};
       const auto             load_jacobian = [&]() {
         for (Packs &row : J)
           for (Pack &entry : row)
@@ -289,12 +290,12 @@ namespace Catena
   unsigned int
   FlowCells<dim, Number>::n_numbers(const Group &group) const
   {
-    const bool         curved   = group.batches->curved;
+    const bool         curved = group.batches->curved;
     const unsigned int n_points =
       reference_rule<dim, Number>(curved).points.size();
     return (curved ? n_points : 1) * dim * dim +
-           n_points *
-             (with_tangents ? 2 : 1) * (1 + n_symmetric_components(dim));
+           n_points * (with_tangents ? 2 : 1) *
+             (1 + n_symmetric_components(dim));
   }
 
 
@@ -391,7 +392,7 @@ namespace Catena
     NodePacks<dim, Number> x, y;
     for (const Group &group : groups)
       {
-        const auto &rule    = reference_rule<dim, Number>(group.batches->curved);
+        const auto &rule = reference_rule<dim, Number>(group.batches->curved);
         const unsigned int *nodes   = group.batches->nodes.data();
         const Number       *numbers = group.numbers.data();
         const unsigned int  n       = group.batches->n_batches();
@@ -449,6 +450,8 @@ namespace Catena
   template class FlowCells<3, double>;
   template class FlowCells<2, float>;
   template class FlowCells<3, float>;
-  template void FlowCells<2, float>::copy(const FlowCells<2, double> &);
-  template void FlowCells<3, float>::copy(const FlowCells<3, double> &);
+  template void
+  FlowCells<2, float>::copy(const FlowCells<2, double> &);
+  template void
+  FlowCells<3, float>::copy(const FlowCells<3, double> &);
 } // namespace Catena

@@ -37,9 +37,10 @@ namespace Catena
       void
       vmult(FastVectorType &dst, const FastVectorType &src) const
       {
-        system.template vmult<float>(
-          Equations{dst, pressure_equations, motion_equations},
-          Unknowns{src, no_pressure, no_motions});
+        system.template vmult<float>(Equations{dst,
+                                               pressure_equations,
+                                               motion_equations},
+                                     Unknowns{src, no_pressure, no_motions});
       }
 
     private:
@@ -156,7 +157,7 @@ namespace Catena
     no_pressure.reinit(pressure_src);
     FastVectorType column(no_velocity), pressures(no_pressure),
       response(no_velocity);
-    std::vector<double> forces;
+    std::vector<double>                                                forces;
     const typename FlowSystem<dim>::template Equations<FastVectorType> products{
       column, pressures, forces};
     for (unsigned int k = 0; k < n; ++k)

@@ -17,7 +17,7 @@ namespace Catena
 
     /// Rounding in double precision against that in single, with some reserve.
     constexpr double double_to_single = 1e-8;
-  }
+  } // namespace
 
 
 
@@ -44,16 +44,15 @@ namespace Catena
       {
         const NodeCoupling<dim> &coupling = couplings[node];
         const unsigned int       local = node_partitioner.global_to_local(node);
-        const auto               is_one = [](const double f) { return f == 1.; };
-        if (coupling.master != node ||
-            !std::all_of(coupling.factors.begin(),
-                         coupling.factors.end(),
-                         is_one))
+        const auto is_one              = [](const double f) { return f == 1.; };
+        if (coupling.master != node || !std::all_of(coupling.factors.begin(),
+                                                    coupling.factors.end(),
+                                                    is_one))
           coupled_nodes.push_back(
             {static_cast<unsigned int>(node),
              local,
              node_partitioner.global_to_local(coupling.master)});
-        const auto ends = mesh.edge_ends(node);
+        const auto ends   = mesh.edge_ends(node);
         const auto master = mesh.identification().master(node);
         if (ends[0] == ends[1] && master != node)
           identified_vertices.push_back(
@@ -244,9 +243,10 @@ namespace Catena
                          const Unknowns<Vector>  &src) const
   {
     if constexpr (std::is_same_v<Number, float>)
-      multiply(fast_given, fast_sums, dst, src, [&](auto *to, const auto *from) {
-        fast_cells.add_product(to, from);
-      });
+      multiply(
+        fast_given, fast_sums, dst, src, [&](auto *to, const auto *from) {
+          fast_cells.add_product(to, from);
+        });
     else
       multiply(given, sums, dst, src, [&](auto *to, const auto *from) {
         cells.add_product(to, from);
@@ -280,10 +280,8 @@ namespace Catena
     const std::vector<double> at_rest(n_rigid(), 0.);
     rigid_rhs = at_rest;
     add_pressure_drop(forces, rigid_rhs, given, at_rest);
-    take_from_nodes(forces,
-                    Equations<VectorType>{velocity_rhs,
-                                          pressure_rhs,
-                                          rigid_rhs});
+    take_from_nodes(
+      forces, Equations<VectorType>{velocity_rhs, pressure_rhs, rigid_rhs});
     if (n_rigid() > 0)
       Utilities::MPI::sum(rigid_rhs, mesh.communicator(), rigid_rhs);
     if (mesh.scene().pressure_driven())

@@ -23,8 +23,7 @@ namespace Catena
             for (const FieldMatrix &other : others)
               for (unsigned int lane = 0; lane < n_lanes; ++lane)
                 if (((other.fields & fields) >> lane) & 1U)
-                  differences[lane] =
-                    other.matrix.value(k) - shared.value(k);
+                  differences[lane] = other.matrix.value(k) - shared.value(k);
             if (std::any_of(differences.begin(),
                             differences.end(),
                             [](const float x) { return x != 0.f; }))

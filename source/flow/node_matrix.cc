@@ -10,11 +10,27 @@ namespace Catena
 
   NodeMatrix::NodeMatrix(SparseRows                         new_rows,
                          std::shared_ptr<const Partitioner> new_nodes)
-    : rows(std::move(new_rows))
-    , nodes(std::move(new_nodes))
+    : nodes(std::move(new_nodes))
   {
-    for (unsigned int &column : rows.columns)
-      column = nodes->global_to_local(column);
+    const std::vector<unsigned int> &starts   = new_rows.starts;
+    const auto                       round_up = [](const unsigned int n) {
+      return (n + stride - 1) / stride * stride;
+    };
+    unsigned int n_entries = 0;
+    for (unsigned int i = 0; i < new_rows.size(); ++i)
+      n_entries += round_up(starts[i + 1] - starts[i]);
+    rows.starts.reserve(starts.size());
+    rows.columns.reserve(n_entries);
+    rows.values.reserve(n_entries);
+    for (unsigned int i = 0; i < new_rows.size(); ++i)
+      {
+        for (unsigned int k = starts[i]; k < starts[i + 1]; ++k)
+          rows.add(nodes->global_to_local(new_rows.columns[k]),
+                   new_rows.values[k]);
+        while (rows.columns.size() % stride != 0)
+          rows.add(rows.columns.back(), 0.f);
+        rows.end_row();
+      }
   }
 
 

@@ -31,9 +31,8 @@ namespace Catena
       {
         for (unsigned int i = 0; i < n; ++i)
           if (columns[i] != no_master)
-            places[size++] = {pattern.column_nodes().global_to_local(
-                                columns[i]),
-                              i};
+            places[size++] = {
+              pattern.column_nodes().global_to_local(columns[i]), i};
         std::sort(places.begin(), places.begin() + size);
       }
 
@@ -52,7 +51,7 @@ namespace Catena
       }
 
     private:
-      const BlockPattern                                   &pattern;
+      const BlockPattern                                  &pattern;
       std::array<std::pair<unsigned int, unsigned int>, n> places;
       unsigned int                                         size = 0;
     };
@@ -77,7 +76,7 @@ namespace Catena
   PreconditionerMatrices<dim>::make_patterns(
     const std::vector<NodeCoupling<dim>> &couplings)
   {
-    const unsigned int     n_all_nodes    = mesh.n_global_nodes(),
+    const unsigned int n_all_nodes    = mesh.n_global_nodes(),
                        n_all_vertices = mesh.scalar_dofs().n_dofs();
     DynamicSparsityPattern nodes(n_all_nodes,
                                  n_all_nodes,
@@ -120,9 +119,11 @@ namespace Catena
       }
 
     const MPI_Comm comm = mesh.communicator();
-    node_pattern        = std::make_shared<const BlockPattern>(
-      mesh.owned_nodes(), mesh.owned_nodes(), nodes, comm);
-    gradient = BlockMatrix<dim>(std::make_shared<const BlockPattern>(
+    node_pattern = std::make_shared<const BlockPattern>(mesh.owned_nodes(),
+                                                        mesh.owned_nodes(),
+                                                        nodes,
+                                                        comm);
+    gradient     = BlockMatrix<dim>(std::make_shared<const BlockPattern>(
       mesh.owned_nodes(), mesh.owned_scalars(), gradients, comm));
     pressure_mass.reinit(mesh.owned_scalars(),
                          mesh.owned_scalars(),

@@ -84,11 +84,12 @@ namespace Catena
 
   template <int dim>
   void
-  VelocityMultigrid<dim>::vmult(FastVectorType &dst, const FastVectorType &src) const
+  VelocityMultigrid<dim>::vmult(FastVectorType       &dst,
+                                const FastVectorType &src) const
   {
-    const unsigned int  n    = finest->matrix().n_rows();
-    const float *const  from = src.begin();
-    float *const        to   = dst.begin();
+    const unsigned int n    = finest->matrix().n_rows();
+    const float *const from = src.begin();
+    float *const       to   = dst.begin();
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int d = 0; d < dim; ++d)
         finest->residual.local_element(n_lanes * i + d) = from[dim * i + d];

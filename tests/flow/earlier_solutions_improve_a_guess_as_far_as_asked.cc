@@ -44,8 +44,7 @@ namespace
       x.block(0).reinit(flow.velocity_rhs);
       x.block(1).reinit(flow.pressure_rhs);
       x.block(2).reinit(
-        VectorType(dealii::complete_index_set(flow.n_rigid()),
-                   MPI_COMM_SELF));
+        VectorType(dealii::complete_index_set(flow.n_rigid()), MPI_COMM_SELF));
       x.collect_sizes();
       for (unsigned int b = 0; b < x.n_blocks(); ++b)
         for (double &value : x.block(b))

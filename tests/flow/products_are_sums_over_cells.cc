@@ -96,9 +96,8 @@ namespace
                   test += v.pressure(cell.vertices[i]) * point.linear[i];
                 }
               coefficients[q].known_stress = 0.;
-              sum +=
-                point.JxW * (coefficients[q].stress(L) * symmetrize(G) -
-                             p * trace(G) - test * trace(L));
+              sum += point.JxW * (coefficients[q].stress(L) * symmetrize(G) -
+                                  p * trace(G) - test * trace(L));
             }
         }
     return Utilities::MPI::sum(sum, mesh.communicator());
@@ -206,14 +205,11 @@ namespace
     pressure.block(0) = 0.;
     pressure.block(2) = 0.;
     whole_system.vmult(product, pressure);
-    claims.near("a pressure acts on the nodes and the particles" + in,
-                (y * product) / scale,
-                bilinear_form(problem.mesh,
-                              stress,
-                              fields(pressure),
-                              fields(y)) /
-                  scale,
-                1e-12);
+    claims.near(
+      "a pressure acts on the nodes and the particles" + in,
+      (y * product) / scale,
+      bilinear_form(problem.mesh, stress, fields(pressure), fields(y)) / scale,
+      1e-12);
   }
 } // namespace
 

@@ -29,7 +29,7 @@ namespace Catena
     /// cells at once
     static constexpr unsigned int width = 16;
 
-    bool                      curved;
+    bool curved;
     /// numbers in the mesh's list
     std::vector<unsigned int> cells;
     /// by batch, node and cell
@@ -72,7 +72,7 @@ namespace Catena
     void
     set(const unsigned int                                        cell,
         const std::vector<typename CellValues<dim>::PointValues> &points,
-        const std::vector<StressCoefficients<dim>> &coefficients);
+        const std::vector<StressCoefficients<dim>>               &coefficients);
 
     /// Take over what was set there, in this precision.
     template <typename OtherNumber>

@@ -20,13 +20,13 @@ namespace Catena
     /// -int S : grad v, with S the stress of the imposed flow
     NodeVectors<dim> forces = {};
     /// int v and int q of the shape functions
-    NodeNumbers<dim>                          node_volume = {};
+    NodeNumbers<dim>                        node_volume = {};
     std::array<double, n_linear_nodes(dim)> volume      = {};
 
     FlowElement(
       const std::vector<typename CellValues<dim>::PointValues> &points,
       const std::vector<StressCoefficients<dim>>               &coefficients,
-      const dealii::Tensor<2, dim>                             &imposed_gradient)
+      const dealii::Tensor<2, dim> &imposed_gradient)
     {
       for (unsigned int q = 0; q < points.size(); ++q)
         {

@@ -63,7 +63,8 @@ namespace Catena
    * for the disturbance of the imposed shear flow, by FGMRES with
    * FlowPreconditioner, from a first guess improved by EarlierSolutions. FGMRES
    * works in single precision, on a correction of the residual in double
-   * precision, and again where that asks for it. The preconditioner is kept until the iterations lost since it was made, against its best solve by
+   * precision, and again where that asks for it. The preconditioner is kept
+   * until the iterations lost since it was made, against its best solve by
    * decades of the residual, would have paid for a new one.
    */
   template <int dim>

@@ -88,7 +88,8 @@ namespace Catena
 
   /**
    * A sparse matrix in single precision between the nodes of two levels, the
-   * same for all fields, with its rows distributed over the ranks.
+   * same for all fields, with its rows distributed over the ranks. Each row has
+   * a multiple of four entries; what it lacks are zeros in its last column.
    */
   class NodeMatrix
   {
@@ -150,15 +151,13 @@ namespace Catena
       const unsigned int *const end = rows.columns.data() + rows.starts[i + 1];
       // four sums, lest each addition wait for the one before
       Lanes sum = {}, sum_1 = {}, sum_2 = {}, sum_3 = {};
-      for (; end - column >= 4; column += 4, value += 4)
+      for (; column != end; column += stride, value += stride)
         {
           sum += value[0] * src[column[0]];
           sum_1 += value[1] * src[column[1]];
           sum_2 += value[2] * src[column[2]];
           sum_3 += value[3] * src[column[3]];
         }
-      for (; column != end; ++column, ++value)
-        sum += *value * src[*column];
       return (sum + sum_1) + (sum_2 + sum_3);
     }
 
@@ -172,6 +171,8 @@ namespace Catena
     }
 
   private:
+    static constexpr unsigned int stride = 4;
+
     SparseRows                         rows;
     std::shared_ptr<const Partitioner> nodes;
   };

@@ -3,8 +3,8 @@
 
 #include <catena/base/types.h>
 #include <catena/flow/coarse_correction.h>
-#include <catena/flow/preconditioner_matrices.h>
 #include <catena/flow/multigrid_level.h>
+#include <catena/flow/preconditioner_matrices.h>
 
 #include <memory>
 #include <vector>
