@@ -15,43 +15,45 @@ namespace Catena
   {
     namespace simd = std::experimental;
 
-    /// The shape functions at the points of a rule.
+    /// Gradients of the P2 and values of the P1 shape functions at one point of
+    /// the reference cell.
     template <int dim, typename Number>
-    struct ReferenceRule
+    struct ReferencePoint
     {
-      static constexpr unsigned int n_nodes    = n_quadratic_nodes(dim);
-      static constexpr unsigned int n_vertices = n_linear_nodes(dim);
-
-      struct ReferencePoint
-      {
-        std::array<std::array<Number, dim>, n_nodes> gradients;
-        std::array<Number, n_vertices>               linear;
-      };
-      std::vector<ReferencePoint> points;
-
-      explicit ReferenceRule(const Quadrature<dim> &quadrature)
-      {
-        for (const Point<dim> &x : quadrature.get_points())
-          {
-            ReferencePoint point;
-            const auto     gradients = quadratic_shape_gradients<dim>(x);
-            const auto     lambda    = barycentric_coordinates<dim>(x);
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              for (unsigned int d = 0; d < dim; ++d)
-                point.gradients[a][d] = gradients[a][d];
-            std::copy(lambda.begin(), lambda.end(), point.linear.begin());
-            points.push_back(point);
-          }
-      }
+      std::array<std::array<Number, dim>, n_quadratic_nodes(dim)> gradients;
+      std::array<Number, n_linear_nodes(dim)>                     linear;
     };
+
+    template <int dim, typename Number>
+    using ReferenceRule = std::vector<ReferencePoint<dim, Number>>;
+
+    template <int dim, typename Number>
+    ReferenceRule<dim, Number>
+    tabulate(const Quadrature<dim> &quadrature)
+    {
+      ReferenceRule<dim, Number> points;
+      for (const Point<dim> &x : quadrature.get_points())
+        {
+          ReferencePoint<dim, Number> point;
+          const auto gradients = quadratic_shape_gradients<dim>(x);
+          const auto lambda    = barycentric_coordinates<dim>(x);
+          for (unsigned int a = 0; a < point.gradients.size(); ++a)
+            for (unsigned int d = 0; d < dim; ++d)
+              point.gradients[a][d] = gradients[a][d];
+          std::copy(lambda.begin(), lambda.end(), point.linear.begin());
+          points.push_back(point);
+        }
+      return points;
+    }
 
     template <int dim, typename Number>
     const ReferenceRule<dim, Number> &
     reference_rule(const bool curved)
     {
-      static const ReferenceRule<dim, Number> straight_rule(
-        CellValues<dim>::rule(false)),
-        curved_rule(CellValues<dim>::rule(true));
+      static const auto straight_rule =
+                          tabulate<dim, Number>(CellValues<dim>::rule(false)),
+                        curved_rule =
+                          tabulate<dim, Number>(CellValues<dim>::rule(true));
       return curved ? curved_rule : straight_rule;
     }
 
@@ -115,7 +117,8 @@ namespace Catena
       void
       gather(const unsigned int *nodes, const Number *src)
       {
-        alignas(64) Number buffer[n_node_numbers][width];
+        alignas(simd::memory_alignment_v<Pack>)
+          Number buffer[n_node_numbers][width];
         for (unsigned int a = 0; a < n_nodes; ++a, nodes += width)
           {
             for (unsigned int cell = 0; cell < width; ++cell)
@@ -129,7 +132,8 @@ namespace Catena
       void
       scatter(const unsigned int *nodes, Number *dst) const
       {
-        alignas(64) Number buffer[n_node_numbers][width];
+        alignas(simd::memory_alignment_v<Pack>)
+          Number buffer[n_node_numbers][width];
         for (unsigned int a = 0; a < n_nodes; ++a, nodes += width)
           {
             for (unsigned int c = 0; c < n_node_numbers; ++c)
@@ -147,6 +151,99 @@ namespace Catena
 
 
 
+    /// A tensor of each cell.
+    template <int dim, typename Number>
+    using TensorPacks = std::array<std::array<CellPack<dim, Number>, dim>, dim>;
+
+
+
+    /// Gradient of the velocity.
+    /// @param J rows: gradients of the coordinates of the reference cell
+    template <int dim, typename Number>
+    inline DEAL_II_ALWAYS_INLINE TensorPacks<dim, Number>
+    velocity_gradient(const ReferencePoint<dim, Number> &point,
+                      const TensorPacks<dim, Number>    &J,
+                      const NodePacks<dim, Number>      &x)
+    {
+      TensorPacks<dim, Number> L = {};
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          std::array<CellPack<dim, Number>, dim> slope = {};
+          for (unsigned int a = 0; a < n_quadratic_nodes(dim); ++a)
+            for (unsigned int d = 0; d < dim; ++d)
+              slope[d] += point.gradients[a][d] * x.values[a][i];
+          for (unsigned int j = 0; j < dim; ++j)
+            for (unsigned int d = 0; d < dim; ++d)
+              L[i][j] += slope[d] * J[d][j];
+        }
+      return L;
+    }
+
+
+
+    /// L H + H L^T or, with the roles of u and v exchanged, (L + L^T) H.
+    template <int dim, typename Number, bool transposed>
+    inline DEAL_II_ALWAYS_INLINE TensorPacks<dim, Number>
+    viscous_stress(const TensorPacks<dim, Number>    &L,
+                   const SymmetricPacks<dim, Number> &H)
+    {
+      TensorPacks<dim, Number> product = {}, stress;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          for (unsigned int k = 0; k < dim; ++k)
+            product[i][j] +=
+              (transposed ? L[i][k] + L[k][i] : L[i][k]) * H[k][j];
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          stress[i][j] =
+            transposed ? product[i][j] : product[i][j] + product[j][i];
+      return stress;
+    }
+
+
+
+    /// Add factor (B:L) B.
+    template <int dim, typename Number>
+    inline DEAL_II_ALWAYS_INLINE void
+    add_tangent(TensorPacks<dim, Number>          &stress,
+                const TensorPacks<dim, Number>    &L,
+                const CellPack<dim, Number>       &factor,
+                const SymmetricPacks<dim, Number> &B)
+    {
+      CellPack<dim, Number> rate(0);
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          rate += B[i][j] * L[i][j];
+      rate *= factor;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          stress[i][j] += rate * B[i][j];
+    }
+
+
+
+    /// Add stress : grad v.
+    template <int dim, typename Number>
+    inline DEAL_II_ALWAYS_INLINE void
+    add_forces(NodePacks<dim, Number>            &y,
+               const TensorPacks<dim, Number>    &stress,
+               const ReferencePoint<dim, Number> &point,
+               const TensorPacks<dim, Number>    &J)
+    {
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          std::array<CellPack<dim, Number>, dim> flux = {};
+          for (unsigned int d = 0; d < dim; ++d)
+            for (unsigned int j = 0; j < dim; ++j)
+              flux[d] += stress[i][j] * J[d][j];
+          for (unsigned int a = 0; a < n_quadratic_nodes(dim); ++a)
+            for (unsigned int d = 0; d < dim; ++d)
+              y.values[a][i] += point.gradients[a][d] * flux[d];
+        }
+    }
+
+
+
     /**
      * The sums of the cells of a batch, point by point.
      */
@@ -158,90 +255,44 @@ namespace Catena
               const NodePacks<dim, Number>     &x,
               NodePacks<dim, Number>           &y)
     {
-      using Pack                        = CellPack<dim, Number>;
-      using Packs                       = std::array<Pack, dim>;
-      constexpr unsigned int n_nodes    = n_quadratic_nodes(dim);
-      constexpr unsigned int n_vertices = n_linear_nodes(dim);
+      using Pack = CellPack<dim, Number>;
       for (auto &node : y.values)
         node.fill(Pack(0));
 
-      // rows: gradients of the coordinates of the reference cell
-      std::array<Packs, dim> J             = {};
-      const auto             load_jacobian = [&]() {
-        for (Packs &row : J)
+      TensorPacks<dim, Number> J             = {};
+      const auto               load_jacobian = [&]() {
+        for (auto &row : J)
           for (Pack &entry : row)
             entry = load<dim>(numbers);
       };
       if (!curved)
         load_jacobian();
-      for (const auto &point : rule.points)
+      for (const auto &point : rule)
         {
           if (curved)
             load_jacobian();
           const Pack                        JxW = load<dim>(numbers);
           const SymmetricPacks<dim, Number> H(numbers);
-
-          std::array<Packs, dim> L;
-          for (unsigned int i = 0; i < dim; ++i)
-            {
-              Packs slope;
-              slope.fill(Pack(0));
-              for (unsigned int a = 0; a < n_nodes; ++a)
-                for (unsigned int d = 0; d < dim; ++d)
-                  slope[d] += point.gradients[a][d] * x.values[a][i];
-              for (unsigned int j = 0; j < dim; ++j)
-                {
-                  L[i][j] = slope[0] * J[0][j];
-                  for (unsigned int d = 1; d < dim; ++d)
-                    L[i][j] += slope[d] * J[d][j];
-                }
-            }
-          Pack pressure(0), divergence(0);
-          for (unsigned int v = 0; v < n_vertices; ++v)
-            pressure += point.linear[v] * x.values[v][dim];
-          for (unsigned int i = 0; i < dim; ++i)
-            divergence += L[i][i];
-          pressure *= JxW;
-          divergence *= JxW;
-
-          std::array<Packs, dim> S;
-          for (unsigned int i = 0; i < dim; ++i)
-            for (unsigned int j = 0; j < dim; ++j)
-              {
-                S[i][j] = i == j ? -pressure : Pack(0);
-                for (unsigned int k = 0; k < dim; ++k)
-                  S[i][j] += transposed ? (L[i][k] + L[k][i]) * H[k][j] :
-                                          L[i][k] * H[k][j] + H[i][k] * L[j][k];
-              }
+          const auto L      = velocity_gradient<dim, Number>(point, J, x);
+          auto       stress = viscous_stress<dim, Number, transposed>(L, H);
           if (with_tangents)
             {
               const Pack                        factor = load<dim>(numbers);
               const SymmetricPacks<dim, Number> B(numbers);
-              Pack                              rate(0);
-              for (unsigned int i = 0; i < dim; ++i)
-                for (unsigned int j = 0; j < dim; ++j)
-                  rate += B[i][j] * L[i][j];
-              rate *= factor;
-              for (unsigned int i = 0; i < dim; ++i)
-                for (unsigned int j = 0; j < dim; ++j)
-                  S[i][j] += rate * B[i][j];
+              add_tangent<dim, Number>(stress, L, factor, B);
             }
 
-          for (unsigned int v = 0; v < n_vertices; ++v)
-            y.values[v][dim] -= point.linear[v] * divergence;
+          Pack pressure(0), divergence(0);
+          for (unsigned int v = 0; v < n_linear_nodes(dim); ++v)
+            pressure += point.linear[v] * x.values[v][dim];
           for (unsigned int i = 0; i < dim; ++i)
             {
-              Packs flux;
-              for (unsigned int d = 0; d < dim; ++d)
-                {
-                  flux[d] = S[i][0] * J[d][0];
-                  for (unsigned int j = 1; j < dim; ++j)
-                    flux[d] += S[i][j] * J[d][j];
-                }
-              for (unsigned int a = 0; a < n_nodes; ++a)
-                for (unsigned int d = 0; d < dim; ++d)
-                  y.values[a][i] += point.gradients[a][d] * flux[d];
+              stress[i][i] -= JxW * pressure;
+              divergence += JxW * L[i][i];
             }
+          for (unsigned int v = 0; v < n_linear_nodes(dim); ++v)
+            y.values[v][dim] -= point.linear[v] * divergence;
+          add_forces<dim, Number>(y, stress, point, J);
         }
     }
   } // namespace
@@ -290,9 +341,8 @@ namespace Catena
   unsigned int
   FlowCells<dim, Number>::n_numbers(const Group &group) const
   {
-    const bool         curved = group.batches->curved;
-    const unsigned int n_points =
-      reference_rule<dim, Number>(curved).points.size();
+    const bool         curved   = group.batches->curved;
+    const unsigned int n_points = reference_rule<dim, Number>(curved).size();
     return (curved ? n_points : 1) * dim * dim +
            n_points * (with_tangents ? 2 : 1) *
              (1 + n_symmetric_components(dim));
