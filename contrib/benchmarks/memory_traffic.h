@@ -63,7 +63,7 @@ namespace Catena
     const double preconditioner = gradient * (3. * single + index) +
                                   mass_sweeps * mass * (whole + index) +
                                   sweeps * nodes * (single + index);
-    const double basis = 2. * iterations / 2. * unknowns * whole;
+    const double basis = 2. * iterations / 2. * unknowns * single;
     return iterations * (fast_product + preconditioner + basis) +
            (1. + earlier_solutions) * fast_product + residuals * product;
   }
