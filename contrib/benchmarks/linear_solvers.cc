@@ -16,14 +16,16 @@
  * - mumps: complete factors instead.
  *
  * Printed is a row of comma-separated values for each. Times are CPU seconds,
- * memory is what a solver adds at most, limit the time that moving the matrices
- * takes for a solution of Catena's at least. README.md tells more.
+ * memory is what a solver adds at most, limit the time that reading
+ * coefficients, matrices and basis takes for a solution of Catena's at least.
+ * README.md tells more.
  */
 
 #include <catena/flow/earlier_solutions.h>
 #include <catena/flow/flow_assembly.h>
 #include <catena/flow/flow_operator.h>
 #include <catena/flow/flow_preconditioner.h>
+#include <catena/flow/flow_unknowns.h>
 #include <catena/flow/velocity_constraints.h>
 #include <catena/scene/line_of_particles.h>
 
@@ -325,8 +327,7 @@ namespace
     void
     prepare(const StressModel<3> &stress) override
     {
-      assemble_flow<3>(
-        mesh, couplings, stress, Scene<3>::imposed_gradient(), *flow, nullptr);
+      assemble_flow<3>(stress, Scene<3>::imposed_gradient(), *flow, nullptr);
     }
 
     void
@@ -350,66 +351,14 @@ namespace
       copy->compress(VectorOperation::insert);
     }
 
-    BlockVectorType
-    block_vector() const
-    {
-      BlockVectorType result(3);
-      result.block(0).reinit(flow->velocity_rhs);
-      result.block(1).reinit(flow->pressure_rhs);
-      result.block(2).reinit(
-        VectorType(complete_index_set(flow->n_rigid()), MPI_COMM_SELF));
-      result.collect_sizes();
-      return result;
-    }
-
-    BlockVectorType
-    right_hand_side(const std::vector<double> &forces) const
-    {
-      BlockVectorType rhs = block_vector();
-      rhs.block(0)        = flow->velocity_rhs;
-      rhs.block(1)        = flow->pressure_rhs;
-      rhs.block(1).add(-rhs.block(1).mean_value());
-      for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)
-        rhs.block(2)(k) =
-          flow->rigid_rhs[k] + bodies.meshed_share(k) * forces[k];
-      return rhs;
-    }
-
-    BlockVectorType
-    first_guess(const FlowFields<3> &fields) const
-    {
-      BlockVectorType guess = block_vector();
-      for (const auto node : mesh.owned_nodes())
-        for (unsigned int d = 0; d < 3; ++d)
-          if (couplings[node].master == node &&
-              couplings[node].factors[d] != 0.)
-            guess.block(0)(3 * node + d) =
-              fields.velocity(3 * node + d) +
-              (d == 0 ? mesh.positions()(3 * node + 1) : 0.);
-      for (const auto vertex : mesh.owned_scalars())
-        if (mesh.identification().master(mesh.node_of_vertex(vertex)) ==
-            mesh.node_of_vertex(vertex))
-          guess.block(1)(vertex) = fields.pressure(vertex);
-      const auto reference = reference_values();
-      const auto values    = bodies.values(fields.motions);
-      for (unsigned int k = 0; k < values.size(); ++k)
-        guess.block(2)(k) = values[k] - reference[k];
-      return guess;
-    }
-
-    std::vector<double>
-    reference_values() const
-    {
-      return bodies.values(
-        reference_motions<3>(mesh.scene(), configuration, false));
-    }
-
     unsigned int
     solve(FlowFields<3> &fields, const std::vector<double> &forces) override
     {
-      const BlockVectorType rhs   = right_hand_side(forces);
-      BlockVectorType       guess = first_guess(fields);
+      const FlowUnknowns<3> unknowns{
+        mesh, bodies, configuration, false, couplings, *flow};
       const ContactBlocks   no_contacts;
+      const BlockVectorType rhs = unknowns.right_hand_side(no_contacts, forces);
+      BlockVectorType       guess = unknowns.first_guess(fields, {});
       const double wanted = FlowSolverParameters().tolerance * rhs.l2_norm();
       if (improves())
         earlier_solutions.improve(FlowOperator<3, float>{*flow, no_contacts},
@@ -426,10 +375,7 @@ namespace
 
       system->scatter(x, guess);
       earlier_solutions.remember(guess);
-      std::vector<double> values = reference_values();
-      for (unsigned int k = 0; k < values.size(); ++k)
-        values[k] += guess.block(2)(k);
-      fields.motions = bodies.motions(values);
+      unknowns.extract_velocity(guess, fields);
       return control.last_step();
     }
   };

@@ -37,10 +37,11 @@ namespace Catena
 
   /**
    * Bytes that FlowSolver has to move for a solution: what it knows of the
-   * cells once for each product, every entry and every index of the matrices of
-   * the preconditioner once for each product and each sweep over them, and the
-   * basis of GMRES twice for each of its vectors. What the coarser levels of
-   * the multigrid and the other vectors take is left out.
+   * cells and the vector of the nodes for each product, every entry and every
+   * index of the matrices of the preconditioner once for each product and each
+   * sweep over them, with the vectors of the sweep, and the basis of GMRES
+   * twice for each of its vectors. What the coarser levels of the multigrid and
+   * the other vectors take is left out.
    */
   inline double
   bytes_of_a_solution(const FlowSystem<3>             &system,
@@ -50,19 +51,27 @@ namespace Catena
     constexpr double index = 4., single = 4., whole = 8.;
     constexpr double sweeps = 4., mass_sweeps = 4., earlier_solutions = 4.,
                      residuals = 2.;
+    // residual, step and solution are read and written, the diagonal is read
+    constexpr double vectors_of_a_sweep = 7.;
 
-    const double nodes =
-                   matrices.component_matrices[0].matrix.pattern().n_blocks(),
+    const double pairs    = matrices.node_pairs().n_blocks(),
+                 nodes    = matrices.node_pairs().n_rows(),
                  gradient = matrices.gradient.pattern().n_blocks(),
                  mass     = matrices.pressure_mass.n_nonzero_elements(),
                  unknowns =
-                   system.velocity_rhs.size() + system.pressure_rhs.size(),
-                 product      = system.cells.memory_consumption(),
-                 fast_product = system.fast_cells.memory_consumption();
+                   system.velocity_rhs.size() + system.pressure_rhs.size();
 
+    // read what the nodes are given, write what they get
+    const double node_vector = n_node_numbers * nodes,
+                 product =
+                   system.cells.memory_consumption() + 2. * node_vector * whole,
+                 fast_product = system.fast_cells.memory_consumption() +
+                                2. * node_vector * single;
+    const double sweep =
+      pairs * (single + index) + vectors_of_a_sweep * node_vector * single;
     const double preconditioner = gradient * (3. * single + index) +
                                   mass_sweeps * mass * (whole + index) +
-                                  sweeps * nodes * (single + index);
+                                  sweeps * sweep;
     const double basis = 2. * iterations / 2. * unknowns * single;
     return iterations * (fast_product + preconditioner + basis) +
            (1. + earlier_solutions) * fast_product + residuals * product;

@@ -40,7 +40,7 @@ public:
   {
     const std::vector<int> nodes = nodes_in_order(mesh, couplings, order);
     const auto             add_pressure = [&](const int node) {
-      if (mesh.edge_ends(node)[0] == mesh.edge_ends(node)[1] &&
+      if (mesh.is_vertex(node) &&
           mesh.identification().master(node) == static_cast<unsigned int>(node))
         {
           last_pressure = mesh.vertex_of_node(node);

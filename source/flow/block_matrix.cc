@@ -68,7 +68,6 @@ namespace Catena
 
 
 
-  template class BlockMatrix<1>;
   template class BlockMatrix<2>;
   template class BlockMatrix<3>;
 } // namespace Catena

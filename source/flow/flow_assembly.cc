@@ -13,12 +13,12 @@ namespace Catena
     /// int f . v of the cells of this rank.
     template <int dim>
     void
-    add_body_force(const MovingMesh<dim> &mesh,
-                   const Function<dim>   &force,
+    add_body_force(const Function<dim>   &force,
                    const FlowSystem<dim> &system,
                    double                *sums)
     {
-      CellValues<dim> values(QWitherdenVincentSimplex<dim>(3));
+      const MovingMesh<dim> &mesh = system.mesh;
+      CellValues<dim>        values(QWitherdenVincentSimplex<dim>(3));
       for (const auto &cell : mesh.cells())
         {
           if (!cell.owned)
@@ -45,17 +45,18 @@ namespace Catena
 
   template <int dim>
   void
-  assemble_flow(const MovingMesh<dim>                &mesh,
-                const std::vector<NodeCoupling<dim>> &couplings,
-                const StressModel<dim>               &stress,
-                const Tensor<2, dim>                 &imposed_gradient,
-                FlowSystem<dim>                      &system,
-                PreconditionerMatrices<dim>          *preconditioner,
-                const Function<dim>                  *body_force)
+  assemble_flow(const StressModel<dim>      &stress,
+                const Tensor<2, dim>        &imposed_gradient,
+                FlowSystem<dim>             &system,
+                PreconditionerMatrices<dim> *preconditioner,
+                const Function<dim>         *body_force)
   {
-    auto       forces  = system.template node_field<double>();
-    VectorType volumes = mesh.scalar_field();
-    const bool driven  = mesh.scene().pressure_driven();
+    const MovingMesh<dim> &mesh   = system.mesh;
+    const bool             driven = mesh.scene().pressure_driven();
+    auto                   forces = system.node_field();
+    VectorType             volumes(mesh.owned_scalars(),
+                       mesh.relevant_scalars(),
+                       mesh.communicator());
     system.node_volumes.assign(driven ? system.nodes().locally_owned_size() +
                                           system.nodes().n_ghost_indices() :
                                         0,
@@ -74,7 +75,7 @@ namespace Catena
         values.reinit(mesh.cell_positions(cell, mesh.positions()), cell.curved);
         stress.evaluate(cell, values, coefficients);
         if (preconditioner)
-          preconditioner->add(c, {values.points(), coefficients}, couplings);
+          preconditioner->add(c, {values.points(), coefficients});
         if (!cell.owned)
           continue;
 
@@ -96,30 +97,25 @@ namespace Catena
           volumes(mesh.vertex_master(cell.vertices[v])) += element.volume[v];
       }
     if (body_force)
-      add_body_force(mesh, *body_force, system, forces.begin());
+      add_body_force(*body_force, system, forces.begin());
     if (preconditioner)
-      preconditioner->finish(couplings);
+      preconditioner->finish();
 
     volumes.compress(VectorOperation::add);
     system.vertex_volumes.copy_locally_owned_data_from(volumes);
-    system.fast_cells.copy(system.cells);
     system.set_right_hand_side(forces);
   }
 
 
 
   template void
-  assemble_flow(const MovingMesh<2> &,
-                const std::vector<NodeCoupling<2>> &,
-                const StressModel<2> &,
+  assemble_flow(const StressModel<2> &,
                 const Tensor<2, 2> &,
                 FlowSystem<2> &,
                 PreconditionerMatrices<2> *,
                 const Function<2> *);
   template void
-  assemble_flow(const MovingMesh<3> &,
-                const std::vector<NodeCoupling<3>> &,
-                const StressModel<3> &,
+  assemble_flow(const StressModel<3> &,
                 const Tensor<2, 3> &,
                 FlowSystem<3> &,
                 PreconditionerMatrices<3> *,

@@ -2,6 +2,7 @@
 #include <catena/flow/flow_preconditioner.h>
 
 #include <deal.II/lac/solver_gmres.h>
+#include <deal.II/lac/vector_memory.h>
 
 namespace Catena
 {
@@ -64,7 +65,7 @@ namespace Catena
   FlowPreconditioner<dim>::set_up_cost() const
   {
     constexpr unsigned int multigrid = 10;
-    const unsigned int     n         = system->n_rigid();
+    const unsigned int     n         = rigid_schur.m();
     return multigrid + n * (response_iterations(n) + 1);
   }
 
@@ -74,6 +75,8 @@ namespace Catena
   void
   FlowPreconditioner<dim>::clear()
   {
+    system    = nullptr;
+    matrices  = nullptr;
     multigrid = VelocityMultigrid<dim>();
     mass_inverse.clear();
     rigid_responses.clear();
@@ -185,6 +188,7 @@ namespace Catena
         for (unsigned int l = 0; l < n; ++l)
           rigid_schur(l, k) -= reactions[l];
       }
+    GrowingVectorMemory<FastVectorType>::release_unused_memory();
     set_contacts(ContactBlocks());
   }
 
@@ -223,16 +227,15 @@ namespace Catena
     pressure_dst *= -2.;
     dst.block(1) = pressure_dst;
 
-    velocity_src = src.block(0);
-    velocity_src *= -1.;
+    velocity_src = 0.;
     matrices->gradient.vmult_add(velocity_src, dst.block(1));
-    velocity_src *= -1.;
+    velocity_src.sadd(-1., 1., src.block(0));
     if (strong)
       solve_velocity(dst.block(0), velocity_src, strong_iterations);
     else
       multigrid.vmult(dst.block(0), velocity_src);
 
-    const unsigned int n = system->n_rigid();
+    const unsigned int n = rigid_schur.m();
     if (n == 0)
       return;
     std::vector<double> small = replicate(src.block(2)), forces(n);

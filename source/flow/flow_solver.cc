@@ -150,9 +150,7 @@ namespace Catena
     // the former one first: together they would take twice the memory
     if (preconditioner_is_due)
       preconditioner.clear();
-    assemble_flow(*mesh,
-                  couplings,
-                  *last_stress,
+    assemble_flow(*last_stress,
                   configuration.shear_rate * mesh->scene().imposed_gradient(),
                   *system,
                   preconditioner_is_due ? preconditioner_matrices.get() :
@@ -235,6 +233,9 @@ namespace Catena
       residual.sadd(-1., 1., rhs);
       return residual.l2_norm();
     };
+    // the basis takes more than what else a step needs
+    const auto release =
+      GrowingVectorMemory<FastBlockVectorType>::release_unused_memory;
     const bool   is_of_an_instant = wanted_residual == 0.;
     const double wanted           = target(rhs);
     if (is_of_an_instant)
@@ -267,10 +268,11 @@ namespace Catena
           }
         catch (const SolverControl::NoConvergence &failure)
           {
+            release();
             throw SolverControl::NoConvergence(iterations + failure.last_step,
                                                norm * failure.last_residual);
           }
-        GrowingVectorMemory<FastBlockVectorType>::release_unused_memory();
+        release();
         iterations += control.last_step();
         correction = fast_correction;
         solution.add(norm, correction);

@@ -25,22 +25,35 @@ namespace Catena
   FlowSystem<dim>::FlowSystem(const MovingMesh<dim>                &mesh,
                               const RigidBodies<dim>               &bodies,
                               const std::vector<NodeCoupling<dim>> &couplings)
-    : vertex_volumes(mesh.owned_scalars(), mesh.communicator())
+    : mesh(mesh)
+    , vertex_volumes(mesh.owned_scalars(), mesh.communicator())
     , velocity_rhs(mesh.owned_vectors(), mesh.communicator())
     , pressure_rhs(mesh.owned_scalars(), mesh.communicator())
     , rigid_rhs(bodies.n_unknowns() + (mesh.scene().pressure_driven() ? 1 : 0))
-    , mesh(mesh)
     , bodies(bodies)
     , couplings(couplings)
     , node_partitioner(mesh.owned_nodes(),
-                       mesh.relevant_nodes(),
+                       nodes_of_owned_cells(),
                        mesh.communicator())
+    , layout(std::make_shared<Utilities::MPI::Partitioner>(
+        node_dofs(mesh.owned_nodes(), n),
+        node_dofs(node_partitioner.ghost_indices(), n),
+        mesh.communicator()))
   {
-    cells = FlowCells<dim, double>(mesh, node_partitioner);
+    cells  = FlowCells<dim, double>(mesh, node_partitioner);
+    fields = {node_field(), node_field()};
+    fast_fields.given.reinit(layout);
+    fast_fields.sums.reinit(layout);
+
     for (const auto vertex : mesh.owned_scalars())
-      vertex_nodes.push_back(
-        node_partitioner.global_to_local(mesh.node_of_vertex(vertex)));
-    for (const auto node : mesh.relevant_nodes())
+      {
+        vertex_nodes.push_back(
+          node_partitioner.global_to_local(mesh.node_of_vertex(vertex)));
+        // of the same rank
+        AssertThrow(vertex_nodes.back() < mesh.owned_nodes().n_elements(),
+                    ExcInternalError());
+      }
+    for (const auto node : nodes_of_owned_cells())
       {
         const NodeCoupling<dim> &coupling = couplings[node];
         const unsigned int       local = node_partitioner.global_to_local(node);
@@ -52,28 +65,37 @@ namespace Catena
             {static_cast<unsigned int>(node),
              local,
              node_partitioner.global_to_local(coupling.master)});
-        const auto ends   = mesh.edge_ends(node);
         const auto master = mesh.identification().master(node);
-        if (ends[0] == ends[1] && master != node)
+        if (mesh.is_vertex(node) && master != node)
           identified_vertices.push_back(
             {local, node_partitioner.global_to_local(master)});
       }
-    given      = node_field<double>();
-    sums       = given;
-    fast_given = node_field<float>();
-    fast_sums  = fast_given;
   }
 
 
 
+  /// With the masters of these nodes.
   template <int dim>
-  template <typename Number>
-  typename FlowSystem<dim>::template NodeField<Number>
-  FlowSystem<dim>::node_field() const
+  IndexSet
+  FlowSystem<dim>::nodes_of_owned_cells() const
   {
-    return NodeField<Number>(node_dofs(mesh.owned_nodes(), n),
-                             node_dofs(node_partitioner.ghost_indices(), n),
-                             mesh.communicator());
+    std::vector<types::global_dof_index> nodes;
+    const auto add = [&](const types::global_dof_index node) {
+      nodes.push_back(node);
+      nodes.push_back(couplings[node].master);
+      nodes.push_back(mesh.identification().master(node));
+    };
+    for (const auto node : mesh.owned_nodes())
+      add(node);
+    for (const auto &cell : mesh.cells())
+      if (cell.owned)
+        for (const unsigned int node : cell.nodes)
+          add(node);
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    IndexSet set(mesh.n_global_nodes());
+    set.add_indices(nodes.begin(), nodes.end());
+    return set;
   }
 
 
@@ -162,9 +184,8 @@ namespace Catena
   template <int dim>
   template <typename Number>
   void
-  FlowSystem<dim>::add_pressure_drop(NodeField<Number>         &sums,
+  FlowSystem<dim>::add_pressure_drop(NodeFields<Number>        &fields,
                                      std::vector<double>       &rates,
-                                     const NodeField<Number>   &given,
                                      const std::vector<double> &motions) const
   {
     if (!mesh.scene().pressure_driven())
@@ -174,8 +195,8 @@ namespace Catena
     for (unsigned int i = 0; i < node_volumes.size(); ++i)
       {
         const double rate = -node_volumes[i] / length;
-        rates[drop] += rate * given.begin()[n * i];
-        sums.begin()[n * i] += rate * motions[drop];
+        rates[drop] += rate * fields.given.begin()[n * i];
+        fields.sums.begin()[n * i] += rate * motions[drop];
       }
     if (Utilities::MPI::this_mpi_process(mesh.communicator()) == 0)
       for (unsigned int k = 0; k < drop; ++k)
@@ -217,18 +238,17 @@ namespace Catena
   template <int dim>
   template <typename Number, typename Vector, typename AddCells>
   void
-  FlowSystem<dim>::multiply(NodeField<Number>       &from,
-                            NodeField<Number>       &to,
+  FlowSystem<dim>::multiply(NodeFields<Number>      &fields,
                             const Equations<Vector> &dst,
                             const Unknowns<Vector>  &src,
                             const AddCells          &add_cells) const
   {
-    give_nodes(from, src);
-    to = 0.;
-    add_cells(to.begin(), from.begin());
+    give_nodes(fields.given, src);
+    fields.sums = 0.;
+    add_cells(fields.sums.begin(), fields.given.begin());
     dst.motions.assign(n_rigid(), 0.);
-    add_pressure_drop(to, dst.motions, from, src.motions);
-    take_from_nodes(to, dst);
+    add_pressure_drop(fields, dst.motions, src.motions);
+    take_from_nodes(fields.sums, dst);
     if (n_rigid() > 0)
       Utilities::MPI::sum(dst.motions, mesh.communicator(), dst.motions);
     keep_what_is_known(dst, src);
@@ -243,12 +263,11 @@ namespace Catena
                          const Unknowns<Vector>  &src) const
   {
     if constexpr (std::is_same_v<Number, float>)
-      multiply(
-        fast_given, fast_sums, dst, src, [&](auto *to, const auto *from) {
-          fast_cells.add_product(to, from);
-        });
+      multiply(fast_fields, dst, src, [&](float *to, const float *from) {
+        fast_cells.add_product(to, from);
+      });
     else
-      multiply(given, sums, dst, src, [&](auto *to, const auto *from) {
+      multiply(fields, dst, src, [&](double *to, const double *from) {
         cells.add_product(to, from);
       });
   }
@@ -260,7 +279,7 @@ namespace Catena
   FlowSystem<dim>::Tvmult(const Equations<FastVectorType> &dst,
                           const Unknowns<FastVectorType>  &src) const
   {
-    multiply(fast_given, fast_sums, dst, src, [&](auto *to, const auto *from) {
+    multiply(fast_fields, dst, src, [&](float *to, const float *from) {
       fast_cells.add_transposed_product(to, from);
     });
   }
@@ -271,15 +290,18 @@ namespace Catena
   void
   FlowSystem<dim>::set_right_hand_side(NodeField<double> &forces)
   {
-    given = 0.;
+    fast_cells.copy(cells);
+    fields.given = 0.;
     for (const CoupledNode &node : coupled_nodes)
       for (unsigned int d = 0; d < dim; ++d)
-        given.begin()[n * node.local + d] = -couplings[node.node].known[d];
-    cells.add_product(forces.begin(), given.begin());
+        fields.given.begin()[n * node.local + d] =
+          -couplings[node.node].known[d];
+    cells.add_product(forces.begin(), fields.given.begin());
 
     const std::vector<double> at_rest(n_rigid(), 0.);
-    rigid_rhs = at_rest;
-    add_pressure_drop(forces, rigid_rhs, given, at_rest);
+    rigid_rhs   = at_rest;
+    fields.sums = 0.;
+    add_pressure_drop(fields, rigid_rhs, at_rest);
     take_from_nodes(
       forces, Equations<VectorType>{velocity_rhs, pressure_rhs, rigid_rhs});
     if (n_rigid() > 0)
@@ -291,32 +313,33 @@ namespace Catena
 
 
   /**
-   * From what it leaves in single precision.
+   * From what it leaves in single precision, of the whole velocity: that of the
+   * disturbance alone may be zero.
    */
   template <int dim>
   double
   FlowSystem<dim>::rounding(const VectorType &velocity) const
   {
-    given      = 0.;
-    fast_given = 0.;
-    sums       = 0.;
-    fast_sums  = 0.;
-    for (const auto node : mesh.relevant_nodes())
+    fields.given = 0.;
+    for (unsigned int i = 0; i < mesh.owned_nodes().n_elements(); ++i)
       for (unsigned int d = 0; d < dim; ++d)
-        {
-          const unsigned int i = n * node_partitioner.global_to_local(node) + d;
-          given.local_element(i)      = velocity(dim * node + d);
-          fast_given.local_element(i) = velocity(dim * node + d);
-        }
-    cells.add_product(sums.begin(), given.begin());
-    fast_cells.add_product(fast_sums.begin(), fast_given.begin());
-    sums.compress(VectorOperation::add);
-    fast_sums.compress(VectorOperation::add);
+        fields.given.local_element(n * i + d) =
+          velocity.local_element(dim * i + d);
+    fields.given.update_ghost_values();
+    std::copy_n(fields.given.begin(),
+                layout->locally_owned_size() + layout->n_ghost_indices(),
+                fast_fields.given.begin());
+    fields.sums      = 0.;
+    fast_fields.sums = 0.;
+    cells.add_product(fields.sums.begin(), fields.given.begin());
+    fast_cells.add_product(fast_fields.sums.begin(), fast_fields.given.begin());
+    fields.sums.compress(VectorOperation::add);
+    fast_fields.sums.compress(VectorOperation::add);
     double square = 0.;
-    for (unsigned int i = 0; i < sums.locally_owned_size(); ++i)
+    for (unsigned int i = 0; i < layout->locally_owned_size(); ++i)
       {
         const double difference =
-          sums.local_element(i) - fast_sums.local_element(i);
+          fields.sums.local_element(i) - fast_fields.sums.local_element(i);
         square += difference * difference;
       }
     return double_to_single *
@@ -327,10 +350,6 @@ namespace Catena
 
   template class FlowSystem<2>;
   template class FlowSystem<3>;
-  template FlowSystem<2>::NodeField<double>
-  FlowSystem<2>::node_field() const;
-  template FlowSystem<3>::NodeField<double>
-  FlowSystem<3>::node_field() const;
   template void
   FlowSystem<2>::vmult<double>(const Equations<VectorType> &,
                                const Unknowns<VectorType> &) const;

@@ -15,7 +15,6 @@ namespace Catena
       {
         NodeCoupling<dim> &coupling = couplings[node];
         coupling.master             = node;
-        coupling.rigid = mesh.particle(node) != MovingMesh<dim>::no_particle;
         for (unsigned int d = 0; d < dim; ++d)
           {
             const types::global_dof_index dof = dim * node + d;

@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace Catena
@@ -46,6 +47,7 @@ namespace Catena
           {
             while (pattern.local_columns()[k] != places[i].first)
               ++k;
+            Assert(k < pattern.row_start(row + 1), ExcInternalError());
             action(places[i].second, k);
           }
       }
@@ -64,24 +66,23 @@ namespace Catena
     const MovingMesh<dim>                &mesh,
     const std::vector<NodeCoupling<dim>> &couplings)
     : mesh(mesh)
+    , couplings(couplings)
   {
-    make_patterns(couplings);
-    group_components(couplings);
+    make_patterns();
+    group_components();
   }
 
 
 
   template <int dim>
   void
-  PreconditionerMatrices<dim>::make_patterns(
-    const std::vector<NodeCoupling<dim>> &couplings)
+  PreconditionerMatrices<dim>::make_patterns()
   {
     const unsigned int n_all_nodes    = mesh.n_global_nodes(),
                        n_all_vertices = mesh.scalar_dofs().n_dofs();
-    DynamicSparsityPattern nodes(n_all_nodes,
-                                 n_all_nodes,
-                                 mesh.relevant_nodes()),
-      gradients(n_all_nodes, n_all_vertices, mesh.relevant_nodes()),
+    // other rows are left out
+    DynamicSparsityPattern nodes(n_all_nodes, n_all_nodes, mesh.owned_nodes()),
+      gradients(n_all_nodes, n_all_vertices, mesh.owned_nodes()),
       masses(n_all_vertices, n_all_vertices, mesh.relevant_scalars());
 
     for (const auto node : mesh.owned_nodes())
@@ -139,9 +140,8 @@ namespace Catena
   template <int dim>
   bool
   PreconditionerMatrices<dim>::share_operator(
-    const std::vector<unsigned int>      &components,
-    const unsigned int                    component,
-    const std::vector<NodeCoupling<dim>> &couplings) const
+    const std::vector<unsigned int> &components,
+    const unsigned int               component) const
   {
     bool equal = true;
     for (const auto node : mesh.relevant_nodes())
@@ -158,20 +158,19 @@ namespace Catena
 
   template <int dim>
   void
-  PreconditionerMatrices<dim>::group_components(
-    const std::vector<NodeCoupling<dim>> &couplings)
+  PreconditionerMatrices<dim>::group_components()
   {
     for (unsigned int d = 0; d < dim; ++d)
       {
         bool is_new = true;
         for (ComponentMatrix &group : component_matrices)
-          if (is_new && share_operator(group.components, d, couplings))
+          if (is_new && share_operator(group.components, d))
             {
               group.components.push_back(d);
               is_new = false;
             }
         if (is_new)
-          component_matrices.push_back({{d}, BlockMatrix<1>()});
+          component_matrices.push_back({{d}, {}});
       }
   }
 
@@ -184,7 +183,7 @@ namespace Catena
     gradient.clear();
     pressure_mass = 0.;
     for (ComponentMatrix &component : component_matrices)
-      component.matrix = BlockMatrix<1>(node_pattern);
+      component.entries.assign(node_pattern->n_blocks(), 0.f);
   }
 
 
@@ -194,17 +193,15 @@ namespace Catena
   PreconditionerMatrices<dim>::release_components()
   {
     for (ComponentMatrix &component : component_matrices)
-      component.matrix = BlockMatrix<1>();
+      component.entries = std::vector<float>();
   }
 
 
 
   template <int dim>
   void
-  PreconditionerMatrices<dim>::add(
-    const unsigned int                    c,
-    const PreconditionerElement<dim>     &element,
-    const std::vector<NodeCoupling<dim>> &couplings)
+  PreconditionerMatrices<dim>::add(const unsigned int                c,
+                                   const PreconditionerElement<dim> &element)
   {
     const auto                          &cell = mesh.cells()[c];
     std::array<unsigned int, n_vertices> vertices;
@@ -223,27 +220,30 @@ namespace Catena
       }
     const unsigned int n_groups = component_matrices.size();
     std::array<std::array<double, n_nodes>, dim> factors;
-    std::array<unsigned int, n_nodes>            masters;
+    std::array<unsigned int, n_nodes>            masters, rows;
     for (unsigned int a = 0; a < n_nodes; ++a)
       {
         const NodeCoupling<dim> &coupling = couplings[cell.nodes[a]];
         masters[a] = coupling.has_unknown() ? coupling.master : no_master;
+        rows[a] = coupling.has_unknown() ? node_pattern->row(coupling.master) :
+                                           BlockPattern::absent;
         for (unsigned int g = 0; g < n_groups; ++g)
           factors[g][a] =
             coupling.shared_factor(component_matrices[g].components);
       }
-    // others may have columns that are none of this rank's
-    if (std::all_of(masters.begin(), masters.end(), [&](const unsigned int m) {
-          return node_pattern->row(m) == BlockPattern::absent;
-        }))
+    // without a row the columns may be none of this rank's
+    const auto is_absent = [](const unsigned int row) {
+      return row == BlockPattern::absent;
+    };
+    if (std::all_of(rows.begin(), rows.end(), is_absent))
       return;
     const PatternPlaces<n_nodes>    nodes(*node_pattern, masters);
     const PatternPlaces<n_vertices> pressures(gradient.pattern(), vertices);
 
     for (unsigned int a = 0; a < n_nodes; ++a)
       {
-        const unsigned int row = node_pattern->row(masters[a]);
-        if (masters[a] == no_master || row == BlockPattern::absent)
+        const unsigned int row = rows[a];
+        if (is_absent(row))
           continue;
         const NodeCoupling<dim> &test = couplings[cell.nodes[a]];
         pressures.in_row(row, [&](const unsigned int v, const unsigned int k) {
@@ -253,7 +253,7 @@ namespace Catena
         });
         nodes.in_row(row, [&](const unsigned int b, const unsigned int k) {
           for (unsigned int g = 0; g < n_groups; ++g)
-            *component_matrices[g].matrix.block(k) +=
+            component_matrices[g].entries[k] +=
               factors[g][a] * factors[g][b] * element.component[a][b];
         });
       }
@@ -263,8 +263,7 @@ namespace Catena
 
   template <int dim>
   void
-  PreconditionerMatrices<dim>::finish(
-    const std::vector<NodeCoupling<dim>> &couplings)
+  PreconditionerMatrices<dim>::finish()
   {
     for (const auto node : mesh.owned_nodes())
       for (ComponentMatrix &group : component_matrices)
@@ -272,7 +271,8 @@ namespace Catena
             couplings[node].shared_factor(group.components) == 0.)
           {
             const unsigned int row = node_pattern->row(node);
-            *group.matrix.block(row, node_pattern->offset(row, node)) += 1.f;
+            group.entries[node_pattern->row_start(row) +
+                          node_pattern->offset(row, node)] += 1.f;
           }
     for (const auto vertex : mesh.owned_scalars())
       if (mesh.vertex_master(vertex) != vertex)

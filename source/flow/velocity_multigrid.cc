@@ -11,10 +11,9 @@ namespace Catena
 
     /// The rows of this rank in single precision.
     SparseRows
-    owned_rows(const BlockMatrix<1> &matrix)
+    owned_rows(const BlockPattern &pattern, const std::vector<float> &entries)
     {
-      const BlockPattern &pattern = matrix.pattern();
-      SparseRows          rows;
+      SparseRows rows;
       rows.starts.reserve(pattern.n_rows() + 1);
       rows.columns.reserve(pattern.n_blocks());
       rows.values.reserve(pattern.n_blocks());
@@ -25,7 +24,7 @@ namespace Catena
                ++k)
             rows.add(pattern.column_nodes().local_to_global(
                        pattern.local_columns()[k]),
-                     *matrix.block(k));
+                     entries[k]);
           rows.end_row();
         }
       return rows;
@@ -42,7 +41,8 @@ namespace Catena
   {
     const MPI_Comm comm = mesh.communicator();
     SparseRows     shared_rows =
-      owned_rows(matrices.component_matrices.front().matrix);
+      owned_rows(matrices.node_pairs(),
+                 matrices.component_matrices.front().entries);
     const auto nodes = make_nodes(shared_rows.size(), {&shared_rows}, comm);
     NodeMatrix shared(std::move(shared_rows), nodes);
 
@@ -70,7 +70,10 @@ namespace Catena
         FieldMask fields = 0;
         for (const unsigned int component : group.components)
           fields |= 1U << component;
-        others.push_back({fields, NodeMatrix(owned_rows(group.matrix), nodes)});
+        others.push_back(
+          {fields,
+           NodeMatrix(owned_rows(matrices.node_pairs(), group.entries),
+                      nodes)});
         add_correction(others.back().matrix);
       }
     LaneEntries differences(shared, others, masks);

@@ -14,9 +14,6 @@ namespace Catena
     const std::vector<NodeCoupling<dim>> &couplings,
     const std::vector<unsigned int>      &components)
   {
-    const auto is_vertex = [&](const unsigned int node) {
-      return mesh.edge_ends(node)[0] == mesh.edge_ends(node)[1];
-    };
     for (const auto node : mesh.owned_nodes())
       {
         FieldMask mask = 0;
@@ -25,7 +22,7 @@ namespace Catena
               couplings[node].factors[component] != 0.)
             mask |= 1U << component;
         node_masks.push_back(mask);
-        if (mask != 0 && is_vertex(node))
+        if (mask != 0 && mesh.is_vertex(node))
           vertex_masks.push_back(mask);
       }
 
@@ -41,7 +38,7 @@ namespace Catena
                        mesh.communicator());
     unsigned int i = 0;
     for (const auto node : mesh.owned_nodes())
-      if (node_masks[i++] != 0 && is_vertex(node))
+      if (node_masks[i++] != 0 && mesh.is_vertex(node))
         numbers(node) = next++;
     numbers.update_ghost_values();
 
@@ -50,7 +47,7 @@ namespace Catena
       {
         if (node_masks[i++] == 0)
           {}
-        else if (is_vertex(node))
+        else if (mesh.is_vertex(node))
           prolongation.add(numbers(node), 1.f);
         else
           for (const unsigned int end : mesh.edge_ends(node))

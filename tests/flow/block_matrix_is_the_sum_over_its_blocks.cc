@@ -110,7 +110,6 @@ int
 main(int argc, char **argv)
 {
   return Tests::run(argc, argv, [](Tests::Claims &claims) {
-    check<1>(claims);
     check<2>(claims);
     check<3>(claims);
   });

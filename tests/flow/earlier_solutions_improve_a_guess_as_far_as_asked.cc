@@ -28,12 +28,7 @@ namespace
                                                 problem.configuration,
                                                 false));
     FlowSystem<2> flow(problem.mesh, problem.bodies, couplings);
-    assemble_flow<2>(problem.mesh,
-                     couplings,
-                     problem.stress,
-                     scene.imposed_gradient(),
-                     flow,
-                     nullptr);
+    assemble_flow<2>(problem.stress, scene.imposed_gradient(), flow, nullptr);
     const ContactBlocks           no_contacts;
     const FlowOperator<2, double> system{flow, no_contacts};
 

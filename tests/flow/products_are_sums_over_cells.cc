@@ -105,51 +105,99 @@ namespace
 
 
 
+  /// -P/L (int v_x + sum_i V_i V_i,x) and the same of Q, for the unknowns x and
+  /// y whose last motion is P, and Q.
+  template <int dim, typename Fields>
+  double
+  work_of_the_drop(const RigidBodies<dim> &bodies,
+                   const MovingMesh<dim>  &mesh,
+                   const BlockVectorType  &x,
+                   const BlockVectorType  &y,
+                   const Fields           &fields)
+  {
+    if (!mesh.scene().pressure_driven())
+      return 0.;
+    const auto flow_rate = [&](const BlockVectorType &vector) {
+      const FlowFields<dim> u   = fields(vector);
+      double                sum = 0.;
+      CellValues<dim>       values;
+      for (const auto &cell : mesh.cells())
+        if (cell.owned)
+          {
+            values.reinit(mesh.cell_positions(cell, mesh.positions()),
+                          cell.curved);
+            const auto at_nodes = node_vectors<dim>(cell, u.velocity);
+            for (const auto &point : values.points())
+              sum += point.JxW * (point.quadratic * at_nodes.components[0]);
+          }
+      sum = Utilities::MPI::sum(sum, mesh.communicator());
+      const std::vector<double> motions = replicate(vector.block(2));
+      for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)
+        sum += bodies.meshed_share(k) * bodies.displaced_volume(k) * motions[k];
+      return sum / mesh.scene().length;
+    };
+    return -replicate(x.block(2)).back() * flow_rate(y) -
+           replicate(y.block(2)).back() * flow_rate(x);
+  }
+
+
+
+  /// Is component @p d of a node's velocity an unknown of its own?
+  template <int dim>
+  bool
+  is_unknown(const NodeCoupling<dim> &coupling,
+             const unsigned int       node,
+             const unsigned int       d)
+  {
+    return coupling.master == node && coupling.factors[d] != 0.;
+  }
+
+
+
   template <int dim>
   void
-  test(Tests::Claims &claims)
+  test(Tests::Claims &claims, const Scene<dim> &scene, const std::string &name)
   {
-    const auto                      scene = Tests::three_particles<dim>();
     const Tests::StokesProblem<dim> problem(scene, Tests::resolution(12, 1));
+    const MovingMesh<dim>          &mesh = problem.mesh;
     const auto                      couplings =
-      node_couplings<dim>(problem.mesh,
-                          velocity_constraints<dim>(problem.mesh,
+      node_couplings<dim>(mesh,
+                          velocity_constraints<dim>(mesh,
                                                     problem.bodies,
                                                     problem.configuration,
                                                     false));
-    const AnyStress<dim> stress(problem.mesh);
-    FlowSystem<dim>      system(problem.mesh, problem.bodies, couplings);
-    assemble_flow<dim>(problem.mesh,
-                       couplings,
-                       stress,
+    const AnyStress<dim>        stress(mesh);
+    FlowSystem<dim>             system(mesh, problem.bodies, couplings);
+    PreconditionerMatrices<dim> matrices(mesh, couplings);
+    // without a tangent before
+    assemble_flow<dim>(NewtonianStress<dim>(),
                        scene.imposed_gradient(),
                        system,
                        nullptr);
-    const FlowUnknowns<dim> unknowns{problem.mesh,
-                                     problem.bodies,
-                                     problem.configuration,
-                                     false,
-                                     couplings,
-                                     system};
+    assemble_flow<dim>(stress, scene.imposed_gradient(), system, &matrices);
+    const FlowUnknowns<dim> unknowns{
+      mesh, problem.bodies, problem.configuration, false, couplings, system};
+    const bool any_rigid = system.n_rigid() > 0;
 
-    // values of what is solved for
-    const auto any_vector = [&](const double shift) {
+    // values of what is solved for, or of what is not
+    const auto any_vector = [&](const double shift, const bool solved) {
       BlockVectorType x = unknowns.make_vector(0);
-      for (const auto node : problem.mesh.owned_nodes())
+      for (const auto node : mesh.owned_nodes())
         for (unsigned int d = 0; d < dim; ++d)
-          if (couplings[node].master == node &&
-              couplings[node].factors[d] != 0.)
+          if (is_unknown(couplings[node], node, d) == solved)
             x.block(0)(dim * node + d) =
               std::sin(shift + 0.7 * (dim * node + d));
-      for (const auto vertex : problem.mesh.owned_scalars())
-        if (problem.mesh.vertex_master(vertex) == vertex)
+      for (const auto vertex : mesh.owned_scalars())
+        if (solved && mesh.vertex_master(vertex) == vertex)
           x.block(1)(vertex) = std::cos(shift + vertex);
-      for (const auto k : x.block(2).locally_owned_elements())
-        x.block(2)(k) = 1. + shift + k;
+      if (any_rigid)
+        for (const auto k : x.block(2).locally_owned_elements())
+          if ((k == problem.bodies.n_unknowns() || problem.bodies.is_free(k)) ==
+              solved)
+            x.block(2)(k) = 1. + shift + k;
       return x;
     };
-    const BlockVectorType x = any_vector(0.), y = any_vector(1.);
-    const auto            fields = [&](const BlockVectorType &vector) {
+    const auto fields = [&](const BlockVectorType &vector) {
       FlowFields<dim> result, at_rest;
       unknowns.extract(vector, {}, result);
       unknowns.extract(unknowns.make_vector(0), {}, at_rest);
@@ -158,6 +206,7 @@ namespace
       return result;
     };
 
+    const BlockVectorType           x = any_vector(0., true);
     const ContactBlocks             no_contacts;
     const FlowOperator<dim, double> whole_system{system, no_contacts};
     const FlowOperator<dim, float>  fast_system{system, no_contacts};
@@ -168,48 +217,65 @@ namespace
     whole_system.vmult(product, x);
     fast_system.vmult(mixed_product, x);
     fast_system.vmult(fast_product, fast_x);
-    const double      scale = y.l2_norm() * product.l2_norm();
-    const std::string in    = ", dim = " + std::to_string(dim);
-    claims.near("the product is the bilinear form" + in,
-                (y * product) / scale,
-                bilinear_form(problem.mesh, stress, fields(x), fields(y)) /
-                  scale,
-                1e-12);
+
+    for (const double shift : {1., 2., 3.})
+      {
+        const BlockVectorType y     = any_vector(shift, true);
+        const double          scale = y.l2_norm() * product.l2_norm();
+        claims.near(name + ": the product is the bilinear form",
+                    (y * product) / scale,
+                    (bilinear_form(mesh, stress, fields(x), fields(y)) +
+                     work_of_the_drop(problem.bodies, mesh, x, y, fields)) /
+                      scale,
+                    1e-12);
+
+        FastBlockVectorType fast_y, transposed;
+        fast_y = y;
+        transposed.reinit(fast_x);
+        std::vector<double> forces, motions;
+        if (any_rigid)
+          motions = replicate(y.block(2));
+        system.Tvmult({transposed.block(0), transposed.block(1), forces},
+                      {fast_y.block(0), fast_y.block(1), motions});
+        if (any_rigid)
+          set_replicated(transposed.block(2), forces);
+        BlockVectorType whole(x);
+        whole = transposed;
+        claims.near(name + ": so is the transposed one",
+                    (x * whole) / scale,
+                    (y * product) / scale,
+                    1e-6);
+      }
+
     mixed_product -= product;
-    claims.at_most("single precision leaves its rounding" + in,
+    claims.at_most(name + ": single precision leaves its rounding",
                    mixed_product.l2_norm() / product.l2_norm(),
                    1e-6);
     BlockVectorType difference(x);
     difference = fast_product;
     difference -= product;
-    claims.at_most("as it does with vectors that have it" + in,
+    claims.at_most(name + ": as it does with vectors that have it",
                    difference.l2_norm() / product.l2_norm(),
                    1e-6);
 
-    FastBlockVectorType fast_y, transposed;
-    fast_y = y;
-    transposed.reinit(fast_x);
-    std::vector<double>       forces;
-    const std::vector<double> motions = replicate(y.block(2));
-    system.Tvmult({transposed.block(0), transposed.block(1), forces},
-                  {fast_y.block(0), fast_y.block(1), motions});
-    set_replicated(transposed.block(2), forces);
-    difference = transposed;
-    claims.near("so is the transposed one" + in,
-                (x * difference) / scale,
-                (y * product) / scale,
-                1e-6);
+    const BlockVectorType known = any_vector(0., false);
+    whole_system.vmult(product, known);
+    product -= known;
+    claims.at_most(name + ": what is known is its own value",
+                   product.linfty_norm(),
+                   0.);
 
-    // with x = 0 in part: blocks that are easily mistaken for one another
-    BlockVectorType pressure(x);
-    pressure.block(0) = 0.;
-    pressure.block(2) = 0.;
-    whole_system.vmult(product, pressure);
-    claims.near(
-      "a pressure acts on the nodes and the particles" + in,
-      (y * product) / scale,
-      bilinear_form(problem.mesh, stress, fields(pressure), fields(y)) / scale,
-      1e-12);
+    FastVectorType forces, pressure;
+    forces.reinit(fast_product.block(0));
+    pressure = x.block(1);
+    matrices.gradient.vmult_add(forces, pressure);
+    fast_x          = 0.f;
+    fast_x.block(1) = pressure;
+    fast_system.vmult(fast_product, fast_x);
+    fast_product.block(0) -= forces;
+    claims.at_most(name + ": the gradient is that of the preconditioner",
+                   fast_product.block(0).l2_norm() / forces.l2_norm(),
+                   1e-6);
   }
 } // namespace
 
@@ -219,7 +285,24 @@ int
 main(int argc, char **argv)
 {
   return Tests::run(argc, argv, [](Tests::Claims &claims) {
-    test<2>(claims);
-    test<3>(claims);
+    test<2>(claims, Tests::three_particles<2>(), "2D");
+    test<3>(claims, Tests::three_particles<3>(), "3D");
+
+    Scene<2> alone;
+    alone.length = 6.;
+    alone.height = 4.;
+    test<2>(claims, alone, "no particles");
+
+    // one across the period, beside a fixed one
+    Particle<2> disc, other;
+    disc.centre       = Point<2>(4.6, 0.7);
+    other.fixed       = true;
+    other.centre      = Point<2>(0.4, -0.6);
+    Scene<2> channel  = alone;
+    channel.drive     = Drive::pressure;
+    channel.particles = {disc, other};
+    for (auto &particle : channel.particles)
+      particle.radius = 0.5;
+    test<2>(claims, channel, "channel");
   });
 }

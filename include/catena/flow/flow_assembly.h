@@ -21,13 +21,11 @@ namespace Catena
    */
   template <int dim>
   void
-  assemble_flow(const MovingMesh<dim>                &mesh,
-                const std::vector<NodeCoupling<dim>> &couplings,
-                const StressModel<dim>               &stress,
-                const dealii::Tensor<2, dim>         &imposed_gradient,
-                FlowSystem<dim>                      &system,
-                PreconditionerMatrices<dim>          *preconditioner,
-                const dealii::Function<dim>          *body_force = nullptr);
+  assemble_flow(const StressModel<dim>       &stress,
+                const dealii::Tensor<2, dim> &imposed_gradient,
+                FlowSystem<dim>              &system,
+                PreconditionerMatrices<dim>  *preconditioner,
+                const dealii::Function<dim>  *body_force = nullptr);
 } // namespace Catena
 
 #endif

@@ -5,9 +5,9 @@
 #include <catena/mesh/cell_values.h>
 #include <catena/mesh/moving_mesh.h>
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/partitioner.h>
 
-#include <array>
 #include <memory>
 #include <vector>
 
@@ -17,30 +17,8 @@ namespace Catena
   /// it is a vertex.
   constexpr unsigned int n_node_numbers = 4;
 
-  /**
-   * Which cells are computed at once, side by side: owned ones that have the
-   * same quadrature rule, with their nodes by local number. The last ones are
-   * repeated where there are too few.
-   */
-  template <int dim>
-  struct CellBatches
-  {
-    static constexpr unsigned int n_nodes = n_quadratic_nodes(dim);
-    /// cells at once
-    static constexpr unsigned int width = 16;
-
-    bool curved;
-    /// numbers in the mesh's list
-    std::vector<unsigned int> cells;
-    /// by batch, node and cell
-    std::vector<unsigned int> nodes;
-
-    unsigned int
-    n_batches() const
-    {
-      return nodes.size() / (n_nodes * width);
-    }
-  };
+  /// Cells that are computed at once, side by side.
+  constexpr unsigned int cells_at_once = 16;
 
 
 
@@ -68,13 +46,16 @@ namespace Catena
 
     /**
      * What is known of an owned cell at its quadrature points.
+     * @throws dealii::ExceptionBase if there is a tangent that use_tangents()
+     * was not told of
      */
     void
     set(const unsigned int                                        cell,
         const std::vector<typename CellValues<dim>::PointValues> &points,
         const std::vector<StressCoefficients<dim>>               &coefficients);
 
-    /// Take over what was set there, in this precision.
+    /// Take over what was set there, in this precision. No cell can be set here
+    /// then.
     template <typename OtherNumber>
     void
     copy(const FlowCells<dim, OtherNumber> &other);
@@ -98,22 +79,27 @@ namespace Catena
     template <int, typename>
     friend class FlowCells;
 
-    /// Cells with the same rule and their numbers by batch, number and cell.
+    /// Owned cells that have the same quadrature rule; the last one is repeated
+    /// where there are too few to be computed at once.
     struct Group
     {
-      std::shared_ptr<const CellBatches<dim>> batches;
-      std::vector<Number>                     numbers;
+      bool curved;
+      /// by batch, node and cell, the local numbers of the nodes
+      std::shared_ptr<const std::vector<unsigned int>> nodes;
+      /// by batch, number and cell
+      std::vector<Number> numbers;
     };
 
     /// Where a cell is: its group, and its place among the group's cells.
     struct Place
     {
-      unsigned int group, index;
+      unsigned int group = dealii::numbers::invalid_unsigned_int, index = 0;
     };
 
-    std::vector<Group>                        groups;
-    std::shared_ptr<const std::vector<Place>> places;
-    bool                                      with_tangents = false;
+    std::vector<Group> groups;
+    /// by cell of the mesh
+    std::vector<Place> places;
+    bool               with_tangents = false;
 
     unsigned int
     n_numbers(const Group &group) const;

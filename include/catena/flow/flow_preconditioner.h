@@ -35,7 +35,8 @@ namespace Catena
    * instead, each with that cycle, where the components are coupled too much
    * for it.
    *
-   * All of it is of the instant it was made at: it can be kept for many steps.
+   * It is made of one instant and can be kept for many steps; only those steps
+   * of GMRES take A as it is now.
    */
   template <int dim>
   class FlowPreconditioner
@@ -45,7 +46,8 @@ namespace Catena
     void
     clear();
 
-    /// Set up from newly assembled ones, not strengthened.
+    /// Set up from what was assembled last, not strengthened. System and
+    /// matrices are kept by reference until clear().
     void
     initialize(const MovingMesh<dim>                &mesh,
                const std::vector<NodeCoupling<dim>> &couplings,

@@ -12,8 +12,6 @@
 #include <deal.II/base/function.h>
 #include <deal.II/base/parameter_handler.h>
 
-#include <deal.II/lac/affine_constraints.h>
-
 #include <memory>
 #include <vector>
 
@@ -72,6 +70,9 @@ namespace Catena
   {
   public:
     explicit FlowSolver(const FlowSolverParameters &parameters);
+
+    /// What it solves refers to its constraints.
+    FlowSolver(const FlowSolver &) = delete;
 
     /**
      * A new mesh, or other particles held in place. References are kept.
@@ -132,7 +133,7 @@ namespace Catena
       preconditioner_is_due = true;
     }
 
-    /// Was the preconditioner made of the matrices that are assembled now?
+    /// Was the preconditioner made of the stress that is assembled now?
     bool
     has_fresh_preconditioner() const
     {
@@ -173,7 +174,7 @@ namespace Catena
 
     /**
      * Give the velocity its values on walls, symmetry planes and, by their
-     * motions, particles.
+     * motions, particles. An assembly has to follow before anything is solved.
      */
     void
     impose_constraints(const Configuration<dim> &configuration,

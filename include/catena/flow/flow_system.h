@@ -4,10 +4,13 @@
 #include <catena/base/types.h>
 #include <catena/flow/flow_cells.h>
 #include <catena/flow/node_couplings.h>
+#include <catena/mesh/moving_mesh.h>
 #include <catena/particles/rigid_bodies.h>
 
+#include <deal.II/base/index_set.h>
 #include <deal.II/base/partitioner.h>
 
+#include <memory>
 #include <vector>
 
 namespace Catena
@@ -16,12 +19,13 @@ namespace Catena
    * Left and right-hand side of the balance of momentum and mass for the
    * disturbance velocity u', the pressure p and the rigid-body unknowns r:
    *
-   *   int (L' H + H L'^T) : grad v - p div v  =
-   *                         F.v_r - int (L_0 H + H L_0^T + T) : grad v,
+   *   int (L' H + H L'^T + k (B:L') B) : grad v - p div v  =
+   *         F.v_r - int (L_0 H + H L_0^T + k (B:L_0) B + T) : grad v,
    *   -int q div u' = 0,
    *
-   * with L_0 the gradient of the imposed flow and v = v_r the rigid motion on
-   * particles (constraints of velocity_constraints() condensed).
+   * with the coefficients of StressCoefficients, L_0 the gradient of the
+   * imposed flow and v = v_r the rigid motion on particles (constraints of
+   * velocity_constraints() condensed).
    *
    * In a pressure-driven scene the pressure is p - P x/L, with p periodic and
    * P the fall of pressure along a period L, which does the work of the flow
@@ -35,7 +39,7 @@ namespace Catena
    *
    * There is no matrix: a product gives the nodes of the cells the velocities
    * that the unknowns stand for, integrates over the cells (FlowCells), and
-   * takes the sums at the nodes back to the unknowns. FlowAssembly sets what
+   * takes the sums at the nodes back to the unknowns. assemble_flow() sets what
    * is needed for it.
    */
   template <int dim>
@@ -70,11 +74,15 @@ namespace Catena
     }
 
     /// Zero, with ghosts.
-    template <typename Number>
-    NodeField<Number>
-    node_field() const;
+    NodeField<double>
+    node_field() const
+    {
+      return NodeField<double>(layout);
+    }
 
-    /// What FlowAssembly sets: the cells in double precision, and in single.
+    const MovingMesh<dim> &mesh;
+
+    /// What is known of the cells in double precision, and in single.
     FlowCells<dim, double> cells;
     FlowCells<dim, float>  fast_cells;
     /// By local node, the part of this rank of int v_x; pressure-driven only.
@@ -104,7 +112,8 @@ namespace Catena
 
     /**
      * dst = A src, with sums over the cells in the precision of @p Number. The
-     * equation of what is not solved for is that it is its own value.
+     * equation of a velocity or motion that is not solved for is that it is its
+     * own value; that of the pressure at an identified vertex is zero.
      */
     template <typename Number, typename Vector>
     void
@@ -116,13 +125,14 @@ namespace Catena
            const Unknowns<FastVectorType>  &src) const;
 
     /**
-     * Right-hand sides from what is given at the nodes of this rank's cells,
-     * less what the known velocities take.
+     * Right-hand sides from @p forces, which the cells of this rank add at
+     * their nodes, less what the known velocities take. All cells are set. The
+     * forces are not the same afterwards.
      */
     void
-    set_right_hand_side(NodeField<double> &given);
+    set_right_hand_side(NodeField<double> &forces);
 
-    /// What rounding leaves of the forces at the nodes of a flow with
+    /// What rounding leaves at most of the forces at the nodes of a flow with
     /// @p velocity, as the norm of all.
     double
     rounding(const VectorType &velocity) const;
@@ -140,19 +150,29 @@ namespace Catena
       unsigned int local, master;
     };
 
-    const MovingMesh<dim>                &mesh;
+    /// What the nodes of the cells are given for a product, and what they get.
+    template <typename Number>
+    struct NodeFields
+    {
+      NodeField<Number> given, sums;
+    };
+
     const RigidBodies<dim>               &bodies;
     const std::vector<NodeCoupling<dim>> &couplings;
 
     dealii::Utilities::MPI::Partitioner node_partitioner;
+    /// of the numbers of the nodes
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner> layout;
     /// local nodes of the owned vertices
     std::vector<unsigned int>     vertex_nodes;
     std::vector<CoupledNode>      coupled_nodes;
     std::vector<IdentifiedVertex> identified_vertices;
 
-    /// of products, lest they are allocated each time
-    mutable NodeField<double> given, sums;
-    mutable NodeField<float>  fast_given, fast_sums;
+    mutable NodeFields<double> fields;
+    mutable NodeFields<float>  fast_fields;
+
+    dealii::IndexSet
+    nodes_of_owned_cells() const;
 
     template <typename Number, typename Vector>
     void
@@ -166,9 +186,8 @@ namespace Catena
 
     template <typename Number>
     void
-    add_pressure_drop(NodeField<Number>         &sums,
+    add_pressure_drop(NodeFields<Number>        &fields,
                       std::vector<double>       &rates,
-                      const NodeField<Number>   &given,
                       const std::vector<double> &motions) const;
 
     template <typename Vector>
@@ -178,8 +197,7 @@ namespace Catena
 
     template <typename Number, typename Vector, typename AddCells>
     void
-    multiply(NodeField<Number>       &from,
-             NodeField<Number>       &to,
+    multiply(NodeFields<Number>      &fields,
              const Equations<Vector> &dst,
              const Unknowns<Vector>  &src,
              const AddCells          &add_cells) const;

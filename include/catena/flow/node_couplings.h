@@ -12,16 +12,15 @@
 namespace Catena
 {
   /**
-   * The constraints of the velocity read node by node, as assembly needs
-   * them: a node stands for itself or its master, each component with a
-   * factor (0: no unknown), or it belongs to a particle.
+   * The constraints of the velocity read node by node: a node stands for itself
+   * or its master, each component with a factor (0: no unknown), or it belongs
+   * to a particle.
    */
   template <int dim>
   struct NodeCoupling
   {
     unsigned int            master;
     std::array<double, dim> factors;
-    bool                    rigid = false;
 
     /// known part of the velocity
     std::array<double, dim> known;

@@ -1,9 +1,9 @@
 #ifndef catena_flow_node_matrix_h
 #define catena_flow_node_matrix_h
 
-#include <deal.II/base/partitioner.h>
+#include <catena/base/types.h>
 
-#include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/base/partitioner.h>
 
 #include <memory>
 #include <vector>
@@ -23,7 +23,7 @@ namespace Catena
   using FieldMask = unsigned char;
 
   /// Up to four fields, interleaved node by node, in single precision.
-  using NodeVector = dealii::LinearAlgebra::distributed::Vector<float>;
+  using NodeVector = FastVectorType;
 
   inline Lanes *
   lanes(NodeVector &vector)

@@ -9,7 +9,6 @@
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
-#include <array>
 #include <memory>
 #include <vector>
 
@@ -27,6 +26,7 @@ namespace Catena
     /**
      * Make sparsity patterns; valid as long as the mesh and which unknowns
      * are constrained do not change.
+     * @param couplings kept by reference
      */
     PreconditionerMatrices(const MovingMesh<dim>                &mesh,
                            const std::vector<NodeCoupling<dim>> &couplings);
@@ -37,13 +37,11 @@ namespace Catena
 
     /// What a cell adds, by its number in the mesh's list.
     void
-    add(const unsigned int                    cell,
-        const PreconditionerElement<dim>     &element,
-        const std::vector<NodeCoupling<dim>> &couplings);
+    add(const unsigned int cell, const PreconditionerElement<dim> &element);
 
     /// Unit equations for what is not solved for.
     void
-    finish(const std::vector<NodeCoupling<dim>> &couplings);
+    finish();
 
     /// The component matrices are not needed any more.
     void
@@ -65,28 +63,36 @@ namespace Catena
     struct ComponentMatrix
     {
       std::vector<unsigned int> components;
-      BlockMatrix<1>            matrix;
+      /// by pair of nodes in the pattern
+      std::vector<float> entries;
     };
     std::vector<ComponentMatrix> component_matrices;
+
+    /// The pairs of nodes of the component matrices.
+    const BlockPattern &
+    node_pairs() const
+    {
+      return *node_pattern;
+    }
 
   private:
     static constexpr unsigned int n_nodes    = n_quadratic_nodes(dim);
     static constexpr unsigned int n_vertices = n_linear_nodes(dim);
 
-    const MovingMesh<dim>              &mesh;
-    std::shared_ptr<const BlockPattern> node_pattern;
-    CsrAccess                           mass_access;
+    const MovingMesh<dim>                &mesh;
+    const std::vector<NodeCoupling<dim>> &couplings;
+    std::shared_ptr<const BlockPattern>   node_pattern;
+    CsrAccess                             mass_access;
 
     void
-    make_patterns(const std::vector<NodeCoupling<dim>> &couplings);
+    make_patterns();
 
     void
-    group_components(const std::vector<NodeCoupling<dim>> &couplings);
+    group_components();
 
     bool
-    share_operator(const std::vector<unsigned int>      &components,
-                   const unsigned int                    component,
-                   const std::vector<NodeCoupling<dim>> &couplings) const;
+    share_operator(const std::vector<unsigned int> &components,
+                   const unsigned int               component) const;
   };
 } // namespace Catena
 

@@ -27,7 +27,8 @@ namespace Catena
     dealii::SymmetricTensor<2, dim> viscosity;
     dealii::SymmetricTensor<2, dim> known_stress;
     dealii::SymmetricTensor<2, dim> tangent;
-    double                          tangent_factor = 0.;
+    /// zero where has_tangent() is false
+    double tangent_factor = 0.;
 
     dealii::SymmetricTensor<2, dim>
     stress(const dealii::Tensor<2, dim> &velocity_gradient) const
@@ -55,7 +56,8 @@ namespace Catena
   public:
     virtual ~StressModel() = default;
 
-    /// Has it a factor k and a tensor B?
+    /// Has it a factor k and a tensor B? One that has and does not say so is
+    /// refused.
     virtual bool
     has_tangent() const
     {

@@ -250,6 +250,12 @@ namespace Catena
       return node_ends[node];
     }
 
+    bool
+    is_vertex(const unsigned int node) const
+    {
+      return node_ends[node][0] == node_ends[node][1];
+    }
+
     /**
      * All P2 nodes in the order in which the cells of the description meet
      * them: an order that does not depend on the number of ranks.
