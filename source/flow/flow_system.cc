@@ -53,18 +53,18 @@ namespace Catena
         AssertThrow(vertex_nodes.back() < mesh.owned_nodes().n_elements(),
                     ExcInternalError());
       }
-    for (const auto node : nodes_of_owned_cells())
+    const unsigned int n_nodes = node_partitioner.locally_owned_size() +
+                                 node_partitioner.n_ghost_indices();
+    for (unsigned int local = 0; local < n_nodes; ++local)
       {
+        const unsigned int       node = node_partitioner.local_to_global(local);
         const NodeCoupling<dim> &coupling = couplings[node];
-        const unsigned int       local = node_partitioner.global_to_local(node);
-        const auto is_one              = [](const double f) { return f == 1.; };
+        const auto is_one = [](const double f) { return f == 1.; };
         if (coupling.master != node || !std::all_of(coupling.factors.begin(),
                                                     coupling.factors.end(),
                                                     is_one))
           coupled_nodes.push_back(
-            {static_cast<unsigned int>(node),
-             local,
-             node_partitioner.global_to_local(coupling.master)});
+            {node, local, node_partitioner.global_to_local(coupling.master)});
         const auto master = mesh.identification().master(node);
         if (mesh.is_vertex(node) && master != node)
           identified_vertices.push_back(
