@@ -121,7 +121,7 @@ namespace
       for (const RecordedStep &step : steps)
         {
           mesh.set_positions(step.positions);
-          const auto stress = step.stress(fluid);
+          const auto stress = step.stress(mesh, fluid);
           costs.assembly += cpu_seconds([&] { assemble(step, stress); });
           prepare(stress);
           fields = step.first_guess;
@@ -188,7 +188,7 @@ namespace
       configuration         = step.configuration;
       solver.reinit(mesh, bodies, step.configuration, false);
       costs.set_up = cpu_seconds(
-        [&] { solver.assemble(step.configuration, step.stress(fluid)); });
+        [&] { solver.assemble(step.configuration, step.stress(mesh, fluid)); });
     }
 
     void
@@ -284,7 +284,7 @@ namespace
                                              is_ilut ? words[3] : "metis",
                                              is_ilut && words[4] == "last");
       matrix             = system->pattern(couplings);
-      const auto stress  = step.stress(fluid);
+      const auto stress  = step.stress(mesh, fluid);
       assemble(step, stress);
       prepare(stress);
       if (is_ilut)

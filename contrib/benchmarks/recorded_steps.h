@@ -18,16 +18,22 @@ struct RecordedStep
   Catena::TimeStep                    step;
   Catena::VectorType                  positions;
   std::vector<Catena::VectorType>     old, older;
+  Catena::PointTensors<3>             old_unresolved, older_unresolved;
   Catena::StressPrediction<3>::Motion fluid_motion;
   Catena::FlowFields<3>               first_guess;
   std::vector<double>                 forces;
   std::vector<Catena::RigidMotion<3>> motions;
 
   Catena::StressPrediction<3>
-  stress(const Catena::GiesekusParameters &fluid) const
+  stress(const Catena::MovingMesh<3>      &mesh,
+         const Catena::GiesekusParameters &fluid) const
   {
-    return Catena::StressPrediction<3>(
-      Catena::Giesekus<3>(fluid), step, old, older, fluid_motion);
+    return Catena::StressPrediction<3>(mesh,
+                                       Catena::Giesekus<3>(fluid),
+                                       step,
+                                       {old, old_unresolved},
+                                       {older, older_unresolved},
+                                       fluid_motion);
   }
 };
 
@@ -59,12 +65,14 @@ record(const Catena::Simulation<3> &simulation,
   const Catena::Level<3> &now = simulation.current_state().now,
                          &old = simulation.current_state().before;
   RecordedStep result;
-  result.configuration = now.configuration;
-  result.step          = step;
-  result.positions     = now.positions;
-  result.old           = old.log_conformation;
-  result.older         = older.log_conformation;
-  result.motions       = now.flow.motions;
+  result.configuration    = now.configuration;
+  result.step             = step;
+  result.positions        = now.positions;
+  result.old              = old.log_conformation;
+  result.older            = older.log_conformation;
+  result.old_unresolved   = old.unresolved_conformation;
+  result.older_unresolved = older.unresolved_conformation;
+  result.motions          = now.flow.motions;
 
   const auto w       = step.extrapolation();
   result.first_guess = old.flow;

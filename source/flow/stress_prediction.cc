@@ -9,9 +9,52 @@ namespace Catena
 
   namespace
   {
-    /// by the fluid, in the time in which the prediction forgets
-    constexpr double n_crossed_elements = 2.;
+    /// In M: a rate, in units of gamma, the share of |L|, and the elements that
+    /// are crossed.
+    constexpr double least_rate = 2., gradient_share = 0.5,
+                     n_crossed_elements = 4.;
+
+    /// M at the points of a pack, in units of 1/gamma.
+    template <int dim>
+    Pack
+    memory_time(const Giesekus<dim>                        &model,
+                const typename CellValues<dim>::PackValues &pack,
+                const Tensor<1, dim, Pack>                 &w,
+                const Tensor<2, dim, Pack>                 &L)
+    {
+      const double relaxing = 1. / model.relaxation_time() + least_rate;
+      const Pack   turning  = gradient_share * frobenius_norm(L);
+      const Pack   crossing =
+        crossing_rate<dim>(pack, w) / (2. * n_crossed_elements);
+      return 1. / sqrt(relaxing * relaxing + turning * turning +
+                       crossing * crossing);
+    }
   } // namespace
+
+
+
+  template <int dim>
+  struct StressPrediction<dim>::CellData
+  {
+    using VertexTensors =
+      std::array<SymmetricTensor<2, dim>, n_linear_nodes(dim)>;
+
+    const Cell      &cell;
+    VertexTensors    s, s_old, s_extrapolated;
+    NodeVectors<dim> convection, last_velocity;
+
+    CellData(const Cell &cell, const StressPrediction &prediction)
+      : cell(cell)
+      , s(vertex_tensors<dim>(cell, prediction.now.logarithm))
+      , s_old(vertex_tensors<dim>(cell, prediction.before.logarithm))
+      , convection(node_vectors<dim>(cell, prediction.motion.convection))
+      , last_velocity(node_vectors<dim>(cell, prediction.motion.last_velocity))
+    {
+      const TwoLevelWeights weights = prediction.step.extrapolation();
+      for (unsigned int v = 0; v < s.size(); ++v)
+        s_extrapolated[v] = weights.b0 * s[v] + weights.b1 * s_old[v];
+    }
+  };
 
 
 
@@ -26,73 +69,101 @@ namespace Catena
 
 
   template <int dim>
-  StressPrediction<dim>::StressPrediction(
-    const Giesekus<dim>           &model,
-    const TimeStep                &step,
-    const std::vector<VectorType> &log_conformation,
-    const std::vector<VectorType> &old_log_conformation,
-    const Motion                  &motion)
-    : model(model)
+  StressPrediction<dim>::StressPrediction(const MovingMesh<dim> &mesh,
+                                          const Giesekus<dim>   &model,
+                                          const TimeStep        &step,
+                                          const Conformation    &now,
+                                          const Conformation    &before,
+                                          const Motion          &motion)
+    : mesh(mesh)
+    , model(model)
     , step(step)
-    , log_conformation(log_conformation)
-    , old_log_conformation(old_log_conformation)
+    , now(now)
+    , before(before)
     , motion(motion)
+    , known_change(mesh)
   {}
+
+
+
+  template <int dim>
+  typename StressPrediction<dim>::Prediction
+  StressPrediction<dim>::predict(const CellData        &data,
+                                 const CellValues<dim> &values,
+                                 const PackValues      &pack) const
+  {
+    const BdfCoefficients bdf           = step.bdf();
+    const double          implicit_time = step.dt / bdf.a0;
+    const auto            w = values_at<dim>(values, pack, data.convection);
+    // the other of the two is (w . grad) c^
+    const auto [c_hat, c_hat_along_w] =
+      exponential(interpolate<dim>(pack, data.s_extrapolated),
+                  derivative_along<dim>(pack, w, data.s_extrapolated));
+    const Tensors c_now = exponential(interpolate<dim>(pack, data.s));
+
+    Tensors known =
+      (-bdf.a1 / bdf.a0) * c_now + implicit_time * model.relaxation(c_hat);
+    if (!step.has_previous())
+      {
+        known += unresolved_history(data, pack);
+        known -= implicit_time * c_hat_along_w;
+        return {known, c_hat};
+      }
+
+    const Tensors c_before = exponential(interpolate<dim>(pack, data.s_old));
+    const auto    L = gradients_at<dim>(values, pack, data.last_velocity);
+    const Pack    M = memory_time(model, pack, w, L),
+               m    = 1. / (1. / implicit_time + 1. / M);
+    const Tensors remaining = model.conformation_rate(L, c_now) -
+                              (1. / step.previous_dt) * (c_now - c_before);
+
+    known -= (bdf.a2 / bdf.a0) * c_before;
+    known -= m * c_hat_along_w;
+    known -= (implicit_time - m) * remaining;
+    known += (m / implicit_time) * unresolved_history(data, pack);
+    return {known, c_hat};
+  }
+
+
+
+  /// -(a1 c'^n + a2 c'^(n-1))/a0
+  template <int dim>
+  typename StressPrediction<dim>::Tensors
+  StressPrediction<dim>::unresolved_history(const CellData   &data,
+                                            const PackValues &pack) const
+  {
+    const BdfCoefficients bdf = step.bdf();
+    Tensors               history;
+    // the viscosity, all that is needed of other cells, does not depend on it
+    if (!data.cell.owned)
+      return history;
+    if (!now.unresolved.empty())
+      history = (-bdf.a1 / bdf.a0) * now.unresolved.get(data.cell, pack);
+    if (!before.unresolved.empty())
+      history -= (bdf.a2 / bdf.a0) * before.unresolved.get(data.cell, pack);
+    return history;
+  }
 
 
 
   template <int dim>
   void
   StressPrediction<dim>::evaluate(
-    const typename MovingMesh<dim>::Cell &cell,
+    const Cell                           &cell,
     const CellValues<dim>                &values,
     std::vector<StressCoefficients<dim>> &coefficients) const
   {
-    using Tensors = SymmetricTensor<2, dim, Pack>;
-
-    const BdfCoefficients bdf           = step.bdf();
-    const TwoLevelWeights extrapolation = step.extrapolation();
-    const double          implicit_time = step.dt / bdf.a0;
-    const double          G = model.modulus(), beta = model.solvent_viscosity();
-    const auto            identity = unit_symmetric_tensor<dim, Pack>();
-    const auto            s = vertex_tensors<dim>(cell, log_conformation);
-    const auto s_old        = vertex_tensors<dim>(cell, old_log_conformation);
-    const auto convections  = node_vectors<dim>(cell, motion.convection);
-    const auto u_last       = node_vectors<dim>(cell, motion.last_velocity);
-
-    auto s_extrapolated = s;
-    for (unsigned int v = 0; v < s.size(); ++v)
-      s_extrapolated[v] = extrapolation.b0 * s[v] + extrapolation.b1 * s_old[v];
+    const double   G = model.modulus(), beta = model.solvent_viscosity();
+    const double   implicit_time = step.dt / step.bdf().a0;
+    const auto     identity      = unit_symmetric_tensor<dim, Pack>();
+    const CellData data(cell, *this);
 
     coefficients.resize(values.points().size());
     for (const auto &pack : values.packs())
       {
-        const auto w = values_at<dim>(values, pack, convections);
-        // the other of the two is (w . grad) c^
-        const auto [c_hat, c_hat_along_w] =
-          exponential(interpolate<dim>(pack, s_extrapolated),
-                      derivative_along<dim>(pack, w, s_extrapolated));
-        const Tensors c_now = exponential(interpolate<dim>(pack, s));
-
-        Tensors known =
-          (-bdf.a1 / bdf.a0) * c_now + implicit_time * model.relaxation(c_hat);
-        Pack memory = implicit_time;
-        if (step.has_previous())
-          {
-            const Tensors c_before = exponential(interpolate<dim>(pack, s_old));
-            known -= (bdf.a2 / bdf.a0) * c_before;
-
-            const auto L = gradients_at<dim>(values, pack, u_last);
-            const Pack crossing =
-              crossing_rate<dim>(pack, w) / (2. * n_crossed_elements);
-            memory = min(memory, model.time_of_change(L, crossing));
-            if (any_of(memory < implicit_time))
-              known -= (implicit_time - memory) *
-                       (model.conformation_rate(L, c_now) -
-                        (1. / step.previous_dt) * (c_now - c_before));
-          }
-        known -= memory * c_hat_along_w;
-
+        const auto [known, c_hat] = predict(data, values, pack);
+        if (cell.owned)
+          known_change.set(cell, pack, known - c_hat);
         const Tensors viscosity = beta * identity + (G * implicit_time) * c_hat,
                       stress    = G * (known - identity);
         for (unsigned int k = 0; k < pack.n_points; ++k)
@@ -108,9 +179,46 @@ namespace Catena
 
 
   template <int dim>
+  PointTensors<dim>
+  StressPrediction<dim>::unresolved_conformation(
+    const VectorType              &velocity,
+    const std::vector<VectorType> &log_conformation) const
+  {
+    const double      implicit_time = step.dt / step.bdf().a0;
+    PointTensors<dim> result(mesh);
+    CellValues<dim>   values;
+    for (const Cell &cell : mesh.cells())
+      {
+        if (!cell.owned)
+          continue;
+        values.reinit(mesh.cell_positions(cell, mesh.positions()), cell.curved);
+        const CellData data(cell, *this);
+        const auto     u = node_vectors<dim>(cell, velocity);
+        const auto     s = vertex_tensors<dim>(cell, log_conformation);
+        for (const auto &pack : values.packs())
+          {
+            const auto L = gradients_at<dim>(values, pack, u);
+            const auto c_hat =
+              exponential(interpolate<dim>(pack, data.s_extrapolated));
+            auto unresolved = known_change.get(cell, pack);
+            unresolved += c_hat - exponential(interpolate<dim>(pack, s));
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int j = i; j < dim; ++j)
+                for (unsigned int k = 0; k < dim; ++k)
+                  unresolved[i][j] += implicit_time * (L[i][k] * c_hat[k][j] +
+                                                       c_hat[i][k] * L[j][k]);
+            result.set(cell, pack, unresolved);
+          }
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
   void
   StressPrediction<dim>::add_numerical_viscosity(
-    const typename MovingMesh<dim>::Cell &cell,
+    const Cell                           &cell,
     const CellValues<dim>                &values,
     std::vector<StressCoefficients<dim>> &coefficients) const
   {

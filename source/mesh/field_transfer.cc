@@ -5,6 +5,7 @@
 #include <catena/mesh/quadratic_shape.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <limits>
@@ -59,6 +60,62 @@ namespace Catena
 
 
 
+  namespace
+  {
+    /// A tensor on a turned image as it is on the original.
+    template <int dim>
+    SymmetricTensor<2, dim>
+    turned(SymmetricTensor<2, dim> tensor)
+    {
+      for (unsigned int k = 0; k < n_symmetric_components(dim); ++k)
+        if (is_odd<dim>(k))
+          tensor.access_raw_entry(k) *= -1.;
+      return tensor;
+    }
+
+
+
+    /**
+     * The linear function on the reference cell that is closest (L2) to what is
+     * given at the points of a rule.
+     */
+    template <int dim>
+    struct LinearFit
+    {
+      static constexpr unsigned int n_vertices = n_linear_nodes(dim);
+
+      /// by point: the linear shape functions, and the weights of the values at
+      /// the vertices
+      std::vector<std::array<double, n_vertices>> linear, weights;
+
+      explicit LinearFit(const Quadrature<dim> &rule)
+      {
+        // the mass matrix is volume/((d+1)(d+2)) (1 + delta_uv)
+        constexpr double volume = dim == 2 ? 1. / 2. : 1. / 6.;
+        for (unsigned int q = 0; q < rule.size(); ++q)
+          {
+            linear.push_back(barycentric_coordinates<dim>(rule.point(q)));
+            weights.push_back(linear.back());
+            for (double &weight : weights.back())
+              weight =
+                rule.weight(q) / volume * (dim + 1) * ((dim + 2) * weight - 1.);
+          }
+      }
+
+      std::array<SymmetricTensor<2, dim>, n_vertices>
+      values(const std::vector<SymmetricTensor<2, dim>> &at_points) const
+      {
+        std::array<SymmetricTensor<2, dim>, n_vertices> result;
+        for (unsigned int q = 0; q < weights.size(); ++q)
+          for (unsigned int v = 0; v < n_vertices; ++v)
+            result[v] += weights[q][v] * at_points[q];
+        return result;
+      }
+    };
+  } // namespace
+
+
+
   template <int dim>
   FieldTransfer<dim>::FieldTransfer(const MovingMesh<dim> &source,
                                     const VectorType      &source_positions,
@@ -107,6 +164,26 @@ namespace Catena
         if (violation < 1e-10)
           break;
       }
+    return place;
+  }
+
+
+
+  template <int dim>
+  typename FieldTransfer<dim>::Place
+  FieldTransfer<dim>::find(const Point<dim>          &point,
+                           std::vector<unsigned int> &cells_nearby) const
+  {
+    for (const unsigned int cell : cells_nearby)
+      {
+        const auto location = locator.locate_in(cell, point);
+        if (location.violation == 0.)
+          return {cell, location.unit, false};
+      }
+    double      violation;
+    const Place place = find(point, violation);
+    if (!place.turned)
+      cells_nearby.push_back(place.cell);
     return place;
   }
 
@@ -205,37 +282,93 @@ namespace Catena
 
 
   template <int dim>
-  std::vector<SymmetricTensor<2, dim>>
-  FieldTransfer<dim>::tensor_at_points(
-    const std::vector<VectorType> &components) const
+  std::vector<typename FieldTransfer<dim>::CellTensors>
+  FieldTransfer<dim>::gather_cell_tensors(
+    const std::vector<VectorType> &components,
+    const PointTensors<dim>       &tensors) const
   {
-    std::vector<std::vector<std::array<double, n_vertices>>> values;
-    for (const VectorType &component : components)
-      values.push_back(gather_vertex_values(component));
+    const std::array<LinearFit<dim>, 2> fits = {
+      {LinearFit<dim>(CellValues<dim>::rule(false)),
+       LinearFit<dim>(CellValues<dim>::rule(true))}};
+    std::vector<CellTensors> result;
+    for (const auto &cell : source.cells())
+      if (cell.owned)
+        {
+          result.push_back({{vertex_tensors<dim>(cell, components), {}}});
+          if (!tensors.empty())
+            result.back()[1] = fits[cell.curved].values(tensors.of_cell(cell));
+        }
+    return gather(result, source.communicator());
+  }
 
-    CellValues<dim>                      cell_values;
-    std::vector<SymmetricTensor<2, dim>> result;
+
+
+  template <int dim>
+  typename FieldTransfer<dim>::AtPoints
+  FieldTransfer<dim>::conserved(const std::vector<VectorType> &components,
+                                const Function                &function,
+                                const PointTensors<dim>       &tensors) const
+  {
+    struct Rule
+    {
+      LinearFit<dim>                           fit;
+      std::vector<std::array<double, n_nodes>> quadratic;
+
+      explicit Rule(const Quadrature<dim> &quadrature)
+        : fit(quadrature)
+      {
+        for (const Point<dim> &x : quadrature.get_points())
+          quadratic.push_back(quadratic_shape_values<dim>(x));
+      }
+    };
+    const std::array<Rule, 2> rules = {
+      {Rule(CellValues<dim>::rule(false)), Rule(CellValues<dim>::rule(true))}};
+    const Rule many_points(QWitherdenVincentSimplex<dim>(4));
+
+    const auto cells = gather_cell_tensors(components, tensors);
+    AtPoints   result;
     for (const auto &cell : target.cells())
       {
         const auto nodes = target.cell_positions(cell, target_positions);
-        cell_values.reinit(nodes, cell.curved);
-        for (const auto &point : cell_values.points())
-          {
-            const auto  x = position_at<dim>(point, nodes);
-            double      violation;
-            const Place place  = find(x, violation);
-            const auto  shapes = barycentric_coordinates<dim>(place.unit);
-
-            SymmetricTensor<2, dim> value;
-            for (unsigned int k = 0; k < components.size(); ++k)
-              {
-                const double sign = place.turned && is_odd<dim>(k) ? -1. : 1.;
+        std::vector<unsigned int> cells_nearby;
+        const auto                evaluate = [&](const Rule &rule) {
+          AtPoints values;
+          for (const auto &shapes : rule.quadratic)
+            {
+              Point<dim> x;
+              for (unsigned int a = 0; a < n_nodes; ++a)
+                x += shapes[a] * Tensor<1, dim>(nodes[a]);
+              const Place place = find(x, cells_nearby);
+              const auto  lambda = barycentric_coordinates<dim>(place.unit);
+              const auto  at_place = [&](const VertexTensors &vertices) {
+                SymmetricTensor<2, dim> value;
                 for (unsigned int v = 0; v < n_vertices; ++v)
-                  value.access_raw_entry(k) +=
-                    sign * shapes[v] * values[k][place.cell][v];
+                  value += lambda[v] * vertices[v];
+                return place.turned ? turned<dim>(value) : value;
+              };
+              const auto &[of_field, of_points] = cells[place.cell];
+              values.of_field.push_back(function(at_place(of_field)));
+              values.of_points.push_back(at_place(of_points));
+            }
+          return values;
+        };
+
+        const Rule &rule      = rules[cell.curved];
+        AtPoints    at_points = evaluate(rule);
+        const auto  exact     = evaluate(many_points);
+        const auto  add_changed =
+          [&](Tensors &all, Tensors &values, const Tensors &exact_values) {
+            const auto wanted  = many_points.fit.values(exact_values),
+                       present = rule.fit.values(values);
+            for (unsigned int q = 0; q < values.size(); ++q)
+              {
+                for (unsigned int v = 0; v < n_vertices; ++v)
+                  values[q] += rule.fit.linear[q][v] * (wanted[v] - present[v]);
+                all.push_back(values[q]);
               }
-            result.push_back(value);
-          }
+          };
+        add_changed(result.of_field, at_points.of_field, exact.of_field);
+        add_changed(result.of_points, at_points.of_points, exact.of_points);
       }
     return result;
   }

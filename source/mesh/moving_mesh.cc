@@ -67,6 +67,7 @@ namespace Catena
     result.iterator = cell;
     result.curved   = false;
     result.owned    = cell->is_locally_owned();
+    result.index    = numbers::invalid_unsigned_int;
 
     std::vector<types::global_dof_index> dofs(vector_element.n_dofs_per_cell());
     cell->get_dof_indices(dofs);
@@ -149,7 +150,14 @@ namespace Catena
                                         simplex_edge(i - n_vertices);
                   const bool inside = in_face[ends[0]] && in_face[ends[1]];
                   if (inside && id >= BoundaryIds::particle)
-                    node_surfaces[cell.nodes[i]] = id - BoundaryIds::particle;
+                    {
+                      const unsigned int surface = id - BoundaryIds::particle;
+                      if (surface >= surfaces.size())
+                        throw MeshError("A face of the mesh is on surface " +
+                                        std::to_string(surface) + " of " +
+                                        std::to_string(surfaces.size()) + ".");
+                      node_surfaces[cell.nodes[i]] = surface;
+                    }
                   else if (inside)
                     node_boundaries[cell.nodes[i]] |= 1u << id;
                 }
@@ -194,6 +202,7 @@ namespace Catena
           cell.curved |= node_surfaces[cell.nodes[e]] != no_particle;
         for (const unsigned int node : cell.nodes)
           relevant[node] = relevant[node_identification->master(node)] = 1;
+        cell.index = local_cells.size();
         local_cells.push_back(cell);
       }
 

@@ -34,6 +34,7 @@ namespace Catena
     mesh                   = &new_mesh;
     bodies                 = &new_bodies;
     preconditioner_instant = Instant();
+    prediction.reset();
     flow_solver.reinit(*mesh, *bodies, configuration, held_in_place);
   }
 
@@ -50,16 +51,16 @@ namespace Catena
 
 
 
+  /// Never copied: fields would lose their ghost values.
   template <int dim>
-  typename FlowStep<dim>::Motion
-  FlowStep<dim>::motion(const Level<dim> &next,
-                        const TimeStep   &step,
-                        const Level<dim> &now,
-                        const VectorType &mesh_velocity) const
+  std::unique_ptr<typename FlowStep<dim>::Motion>
+  FlowStep<dim>::motion_towards(const Level<dim> &next,
+                                const TimeStep   &step,
+                                const Level<dim> &now,
+                                const VectorType &mesh_velocity) const
   {
-    Motion result;
-    if (!parameters.viscoelastic())
-      return result;
+    auto    motion    = std::make_unique<Motion>();
+    Motion &result    = *motion;
     result.convection = next.flow.velocity;
     result.convection -= mesh_velocity;
     result.convection.update_ghost_values();
@@ -68,30 +69,25 @@ namespace Catena
     if (has_numerical_viscosity(step))
       result.smooth_strain_rate =
         StrainRateProjection<dim>(*mesh).project(now.flow.velocity);
-    return result;
+    return motion;
   }
 
 
 
-  /**
-   * The stress of a fluid for which it is linear in the new velocity.
-   * References to all but the step are kept.
-   */
+  /// References to all but the step are kept.
   template <int dim>
-  std::unique_ptr<StressModel<dim>>
-  FlowStep<dim>::linear_stress(
-    const TimeStep                &step,
-    const std::vector<VectorType> &log_conformation,
-    const std::vector<VectorType> &old_log_conformation,
-    const Motion                  &motion) const
+  std::unique_ptr<StressPrediction<dim>>
+  FlowStep<dim>::predict(const TimeStep     &step,
+                         const Conformation &now,
+                         const Conformation &before,
+                         const Motion       &motion) const
   {
-    if (!parameters.viscoelastic())
-      return std::make_unique<NewtonianStress<dim>>();
     return std::make_unique<StressPrediction<dim>>(
+      *mesh,
       Giesekus<dim>(parameters.fluid.giesekus),
       step,
-      log_conformation,
-      old_log_conformation.empty() ? log_conformation : old_log_conformation,
+      now,
+      before.logarithm.empty() ? now : before,
       motion);
   }
 
@@ -184,14 +180,22 @@ namespace Catena
                               const std::vector<Contact<dim>> &candidates,
                               const std::vector<double>       &external_forces)
   {
-    const Motion motion = this->motion(next, step, now, mesh_velocity);
-    const auto   model  = linear_stress(step,
-                                     now.log_conformation,
-                                     before.log_conformation,
-                                     motion);
+    static const NewtonianStress<dim> newtonian;
+    if (parameters.viscoelastic())
+      {
+        motion = motion_towards(next, step, now, mesh_velocity);
+        prediction =
+          predict(step,
+                  {now.log_conformation, now.unresolved_conformation},
+                  {before.log_conformation, before.unresolved_conformation},
+                  *motion);
+      }
+    const StressModel<dim> &stress =
+      prediction ? static_cast<const StressModel<dim> &>(*prediction) :
+                   newtonian;
     {
       const auto timer = run_report.time("flow: assembly");
-      flow_solver.assemble(next.configuration, *model);
+      flow_solver.assemble(next.configuration, stress);
     }
     const auto         timer = run_report.time("flow: solve");
     const unsigned int iterations =
@@ -203,8 +207,20 @@ namespace Catena
                                 now.log_conformation,
                                 before.log_conformation,
                                 VectorType()};
-    find_reactions(next, *model);
+    find_reactions(next, stress);
     return iterations;
+  }
+
+
+
+  template <int dim>
+  void
+  FlowStep<dim>::find_unresolved_conformation(Level<dim> &next) const
+  {
+    const auto timer = run_report.time("unresolved conformation");
+    next.unresolved_conformation =
+      prediction->unresolved_conformation(next.flow.velocity,
+                                          next.log_conformation);
   }
 
 
@@ -244,7 +260,8 @@ namespace Catena
     flow_solver.renew_preconditioner();
 
     // it depends on the viscosity, which knows of no motion
-    Motion rest;
+    const PointTensors<dim> none;
+    Motion                  rest;
     rest.convection = rest.last_velocity = mesh->vector_field();
     if (parameters.viscoelastic() && has_numerical_viscosity(instant.step))
       rest.smooth_strain_rate = mesh->tensor_field();
@@ -255,11 +272,13 @@ namespace Catena
         std::make_unique<CarreauStress<dim>>(Carreau(parameters.fluid.carreau),
                                              instant.velocity,
                                              instant.linearisation);
+    else if (!parameters.viscoelastic())
+      model = std::make_unique<NewtonianStress<dim>>();
     else
-      model = linear_stress(instant.step,
-                            instant.log_conformation,
-                            instant.old_log_conformation,
-                            rest);
+      model = predict(instant.step,
+                      {instant.log_conformation, none},
+                      {instant.old_log_conformation, none},
+                      rest);
     flow_solver.assemble(instant.configuration, *model);
   }
 

@@ -1,8 +1,10 @@
 #include <catena/base/exceptions.h>
 #include <catena/base/replace_field.h>
 #include <catena/conformation/entropy_projection.h>
+#include <catena/mesh/cell_fields.h>
 #include <catena/mesh/field_transfer.h>
 #include <catena/particles/contacts.h>
+#include <catena/rheology/exponential.h>
 #include <catena/rheology/spectral.h>
 #include <catena/scene/image_in_block.h>
 #include <catena/simulation/remesher.h>
@@ -333,18 +335,63 @@ namespace Catena
 
   namespace
   {
+    /// c - exp(s), with c at the points of all cells.
     template <int dim>
-    std::vector<VectorType>
-    transfer_conformation(const FieldTransfer<dim>      &transfer,
-                          const std::vector<VectorType> &log_conformation,
-                          const MovingMesh<dim>         &mesh,
-                          const VectorType              &positions)
+    PointTensors<dim>
+    difference(const std::vector<SymmetricTensor<2, dim>> &conformation,
+               const std::vector<VectorType>              &log_conformation,
+               const MovingMesh<dim>                      &mesh,
+               const VectorType                           &positions)
     {
-      auto conformation = transfer.tensor_at_points(log_conformation);
-      for (SymmetricTensor<2, dim> &c : conformation)
-        c = exponential<dim>(spectral_decomposition<dim>(c));
-      return EntropyProjection<dim>(mesh, positions)
-        .project(conformation, transfer.tensor(log_conformation));
+      PointTensors<dim> result(mesh);
+      CellValues<dim>   values;
+      auto              next = conformation.begin();
+      for (const auto &cell : mesh.cells())
+        {
+          values.reinit(mesh.cell_positions(cell, positions), cell.curved);
+          const auto s = vertex_tensors<dim>(cell, log_conformation);
+          for (const auto &pack : values.packs())
+            {
+              SymmetricTensor<2, dim, Pack> c;
+              for (unsigned int k = 0; k < pack.n_points; ++k)
+                set_lane(c, k, *next++);
+              if (cell.owned)
+                result.set(cell,
+                           pack,
+                           c - exponential(interpolate<dim>(pack, s)));
+            }
+        }
+      return result;
+    }
+
+
+
+    /**
+     * The resolved part conserves its stress in the mean, and the part that is
+     * not resolved makes up for the rest: their sum is as before.
+     */
+    template <int dim>
+    void
+    transfer_conformation(const FieldTransfer<dim> &transfer,
+                          const MovingMesh<dim>    &mesh,
+                          const VectorType         &positions,
+                          Level<dim>               &level)
+    {
+      auto conformation = transfer.conserved(
+        level.log_conformation,
+        [](const SymmetricTensor<2, dim> &s) {
+          return exponential<dim>(spectral_decomposition<dim>(s));
+        },
+        level.unresolved_conformation);
+      const auto guess       = transfer.tensor(level.log_conformation);
+      level.log_conformation = EntropyProjection<dim>(mesh, positions)
+                                 .project(conformation.of_field, guess);
+      for (unsigned int q = 0; q < conformation.of_field.size(); ++q)
+        conformation.of_field[q] += conformation.of_points[q];
+      level.unresolved_conformation = difference(conformation.of_field,
+                                                 level.log_conformation,
+                                                 mesh,
+                                                 positions);
     }
   } // namespace
 
@@ -394,8 +441,7 @@ namespace Catena
                           transfer.scalar(level->flow.pressure));
           }
         if (!level->log_conformation.empty())
-          level->log_conformation = transfer_conformation(
-            transfer, level->log_conformation, mesh, positions);
+          transfer_conformation(transfer, mesh, positions, *level);
       }
     mesh.set_positions(final_positions);
     // no field of the old mesh is assigned to, see replace_field()

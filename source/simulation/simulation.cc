@@ -250,6 +250,7 @@ namespace Catena
         report.conformation_iterations =
           solve_conformation(next, step, velocity_of_mesh);
         inject(StepPart::conformation, next);
+        flow_step.find_unresolved_conformation(next);
       }
     report.dt    = step.dt;
     report.error = step_error<dim>(state, next, predicted, step, held);

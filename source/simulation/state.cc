@@ -57,6 +57,7 @@ namespace Catena
             flow.pressure_drop,
             flow.reactions);
     archive.scalars(log_conformation);
+    archive.points(unresolved_conformation);
   }
 
 

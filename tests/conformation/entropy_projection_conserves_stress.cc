@@ -129,9 +129,9 @@ check(Claims &claims, const Scene<dim> &scene, const std::string &name)
                                         mesh,
                                         mesh.positions());
       const auto s = interpolate_tensor<dim>(old, old.positions(), exact);
-      auto       conformation = transfer.tensor_at_points(s);
-      for (auto &c : conformation)
-        c = exponential_of<dim>(c);
+      const auto conformation =
+        transfer.conserved(s, exponential_of<dim>, PointTensors<dim>())
+          .of_field;
       const auto guess = transfer.tensor(s);
 
       EntropyProjection<dim> projection(mesh, mesh.positions());

@@ -106,10 +106,12 @@ simulate(const Scene<dim>         &scene,
   if (StressPrediction<dim>::numerical_viscosity(Giesekus<dim>(fluid)) > 0.)
     motion.smooth_strain_rate =
       StrainRateProjection<dim>(mesh).project(state.now.flow.velocity);
-  const StressPrediction<dim>          prediction(Giesekus<dim>(fluid),
+  const StressPrediction<dim>          prediction(mesh,
+                                         Giesekus<dim>(fluid),
                                          {report.dt, report.dt},
-                                         s,
-                                         state.before.log_conformation,
+                                         {s, state.now.unresolved_conformation},
+                                         {state.before.log_conformation,
+                                                   state.before.unresolved_conformation},
                                          motion);
   std::vector<StressCoefficients<dim>> coefficients;
   CellValues<dim>                      values;

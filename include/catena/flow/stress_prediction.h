@@ -4,6 +4,7 @@
 #include <catena/base/time_history.h>
 #include <catena/flow/stress_model.h>
 #include <catena/mesh/cell_fields.h>
+#include <catena/mesh/point_tensors.h>
 #include <catena/rheology/giesekus.h>
 
 #include <vector>
@@ -14,43 +15,71 @@ namespace Catena
    * The viscoelastic stress predicted in terms of the new velocity gradient L
    * (D'Avino & Hulsen, J. Non-Newtonian Fluid Mech. 165 (2010) 1602),
    *
-   *   sigma + p I = 2 beta D + G (c_pred - I),
-   *   c_pred = -(a1 c^n + a2 c^(n-1))/a0
-   *            + (dt/a0) [ L c^ + c^ L^T + f(c^) ] - m w.grad c^
-   *            - (dt/a0 - m) [ L^n c^n + c^n L^nT + f(c^n)
-   *                            - (c^n - c^(n-1))/dt^n ],
+   *   sigma + p I = 2 beta D + G (c_p - I),   c_p = c + c',
    *
-   * with the BDF coefficients a, the velocity w = u^ - u_mesh against the
-   * mesh, ^ the extrapolation to the new instant, dt^n = t^n - t^(n-1), and L^n
-   * the gradient of u^n on the mesh as it is at the new instant; c^ = exp(s^)
-   * stays positive. The tensor viscosity is H = beta I + (G dt/a0) c^: the
-   * momentum balance is well posed also without solvent.
+   * with c = exp(s), s linear in the elements, and a part c' that such a field
+   * does not resolve. It is made by what the equation of the conformation
+   * leaves at a point and forgotten in a time M, as a time-dependent subscale
+   * (Codina, Principe, Guasch & Badia, Comput. Methods Appl. Mech. Engrg. 196
+   * (2007) 2413),
    *
-   * At rest in time this is c + m r, r being what the equation of the
-   * conformation leaves at a point for the P1 field, of the order of the
-   * elements. With m = dt/a0, as published, the last line vanishes; but the
-   * stress at rest depends on the step then, and long steps are unstable. So m
-   * is at most the time in which the conformation at a point changes, or the
-   * fluid crosses two elements of length h along w,
-   * ((1/lambda + |L^n|)^2 + (|w|/2h)^2)^(-1/2), see Giesekus::time_of_change().
-   * What that changes in the prediction is of second order in time. In a step
-   * without a previous one m = dt/a0.
+   *   dc'/dt + c'/M = L c + c L^T + f(c) - w.grad c - dc/dt,
+   *
+   * where d/dt follows a point of the mesh and w = u - u_mesh is the velocity
+   * against it. Both together by BDF2, with the coefficients a,
+   *
+   *   c_p = -(a1 c^n + a2 c^(n-1))/a0 - (m/dt) (a1 c'^n + a2 c'^(n-1))
+   *         + (dt/a0) [ L c^ + c^ L^T + f(c^) ] - m w^.grad c^
+   *         - (dt/a0 - m) [ L^n c^n + c^n L^nT + f(c^n)
+   *                         - (c^n - c^(n-1))/dt^n ],
+   *
+   *   m = (a0/dt + 1/M)^(-1),
+   *
+   * with ^ the extrapolation to the new instant, dt^n = t^n - t^(n-1), and L^n
+   * the gradient of u^n on the mesh as it is at the new instant. This is of
+   * second order in time; at rest in time c' = M r with the residual r, which
+   * is of the order of the elements, whatever the step. The tensor viscosity is
+   * H = beta I + (G dt/a0) c^, where c^ = exp(s^) stays positive: the momentum
+   * balance is well posed also without solvent. Without the memory of c' it is
+   * the published scheme, in which the stress at rest depends on the step.
+   *
+   * The shorter M is, the less the stress has of r. With
+   *
+   *   M = ( (1/lambda + 2 gamma)^2 + (|L^n|/2)^2 + (|w|/4h)^2 )^(-1/2),
+   *
+   * h the length of an element along w, it is the time in which the
+   * conformation relaxes, turns or is carried through four elements. The
+   * numbers are those with which the spins of and the force between aligned
+   * particles on coarse meshes are nearest to those on fine ones.
+   *
+   * In a step without a previous one m = dt/a0.
    *
    * With little solvent, motions that the continuous P1 stress does not see are
-   * held by the part with c^ alone and grow the sooner the smaller the steps
-   * are. Then a numerical viscosity is added on them, 2 theta (D - D_h^n) with
-   * the smooth rate of strain D_h^n of the last instant (discrete
-   * elastic-viscous stress splitting, Guenette & Fortin, J. Non-Newtonian Fluid
-   * Mech. 60 (1995) 27): first order in time, nothing at a steady smooth flow.
+   * held by the part with c^ alone. Then a numerical viscosity is added on
+   * them, 2 theta (D - D_h^n) with the smooth rate of strain D_h^n of the last
+   * instant (discrete elastic-viscous stress splitting, Guenette & Fortin, J.
+   * Non-Newtonian Fluid Mech. 60 (1995) 27): first order in time, nothing at a
+   * steady smooth flow.
    */
   template <int dim>
   class StressPrediction : public StressModel<dim>
   {
   public:
+    using Cell = typename MovingMesh<dim>::Cell;
+
+    /// The conformation at an instant, kept by reference.
+    struct Conformation
+    {
+      /// s
+      const std::vector<VectorType> &logarithm;
+      /// c'; none if it is zero
+      const PointTensors<dim> &unresolved;
+    };
+
     /// Motion of the fluid that the prediction takes as known.
     struct Motion
     {
-      /// w at the P2 nodes
+      /// w^ at the P2 nodes
       VectorType convection;
       /// u at t^n
       VectorType last_velocity;
@@ -64,34 +93,67 @@ namespace Catena
     numerical_viscosity(const Giesekus<dim> &model);
 
     /**
-     * @param log_conformation, old_log_conformation s at t^n and t^(n-1)
+     * @param mesh kept by reference, as the motion is
+     * @param now, before the conformation at t^n and t^(n-1)
      * @param motion see Motion
-     *
-     * The fields and the motion are kept by reference.
      */
-    StressPrediction(const Giesekus<dim>           &model,
-                     const TimeStep                &step,
-                     const std::vector<VectorType> &log_conformation,
-                     const std::vector<VectorType> &old_log_conformation,
-                     const Motion                  &motion);
+    StressPrediction(const MovingMesh<dim> &mesh,
+                     const Giesekus<dim>   &model,
+                     const TimeStep        &step,
+                     const Conformation    &now,
+                     const Conformation    &before,
+                     const Motion          &motion);
 
     void
-    evaluate(const typename MovingMesh<dim>::Cell &cell,
+    evaluate(const Cell                           &cell,
              const CellValues<dim>                &values,
              std::vector<StressCoefficients<dim>> &coefficients) const override;
 
+    /**
+     * c' = c_p - exp(s) at the new instant, with the velocity and the
+     * log-conformation that were solved for. The stress has been evaluated in
+     * all cells of this rank, on the mesh as it is.
+     */
+    PointTensors<dim>
+    unresolved_conformation(
+      const VectorType              &velocity,
+      const std::vector<VectorType> &log_conformation) const;
+
   private:
+    using Tensors    = dealii::SymmetricTensor<2, dim, Pack>;
+    using PackValues = typename CellValues<dim>::PackValues;
+
+    /// c_p = known + (dt/a0) (L c^ + c^ L^T)
+    struct Prediction
+    {
+      Tensors known, c_hat;
+    };
+
+    /// What is known of a cell.
+    struct CellData;
+
+    const MovingMesh<dim> &mesh;
+    const Giesekus<dim>    model;
+    const TimeStep         step;
+    const Conformation     now, before;
+    const Motion          &motion;
+
+    /// known - c^, left by evaluate(): it takes long to compute
+    mutable PointTensors<dim, double> known_change;
+
+    Prediction
+    predict(const CellData        &data,
+            const CellValues<dim> &values,
+            const PackValues      &pack) const;
+
+    Tensors
+    unresolved_history(const CellData &data, const PackValues &pack) const;
+
     void
     add_numerical_viscosity(
-      const typename MovingMesh<dim>::Cell &cell,
+      const Cell                           &cell,
       const CellValues<dim>                &values,
       std::vector<StressCoefficients<dim>> &coefficients) const;
-
-    const Giesekus<dim>            model;
-    const TimeStep                 step;
-    const std::vector<VectorType> &log_conformation;
-    const std::vector<VectorType> &old_log_conformation;
-    const Motion                  &motion;
   };
 
 } // namespace Catena

@@ -4,6 +4,7 @@
 #include <catena/base/archive.h>
 #include <catena/base/types.h>
 #include <catena/mesh/moving_mesh.h>
+#include <catena/mesh/point_tensors.h>
 
 namespace Catena
 {
@@ -54,6 +55,13 @@ namespace Catena
     /// A list of P1 scalar fields.
     void
     scalars(std::vector<VectorType> &fields);
+
+    /// Tensors at quadrature points, may be none.
+    void
+    points(PointTensors<dim> &tensors)
+    {
+      tensors.archive(archive, mesh);
+    }
 
   private:
     Archive               &archive;

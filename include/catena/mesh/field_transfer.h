@@ -3,10 +3,12 @@
 
 #include <catena/mesh/moving_mesh.h>
 #include <catena/mesh/point_locator.h>
+#include <catena/mesh/point_tensors.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace Catena
@@ -46,12 +48,30 @@ namespace Catena
     std::vector<VectorType>
     tensor(const std::vector<VectorType> &components) const;
 
+    using Tensors  = std::vector<dealii::SymmetricTensor<2, dim>>;
+    using Function = std::function<dealii::SymmetricTensor<2, dim>(
+      const dealii::SymmetricTensor<2, dim> &)>;
+
+    /// Tensors at the points of CellValues<dim> of all cells of the target.
+    struct AtPoints
+    {
+      Tensors of_field, of_points;
+    };
+
     /**
-     * The values of a symmetric P1 tensor field at the points of
-     * CellValues<dim> of all cells of the target.
+     * The function of a symmetric P1 tensor field, and tensors at the points of
+     * the source, in each of its cells the linear function closest to them
+     * (L2); zero if there are none.
+     *
+     * The value at a point is that there, and a linear function by which the
+     * integrals over a cell of the target, weighted with linear functions, are
+     * those of a rule with many points: what jumps from cell to cell of the
+     * source counts by its share of the volume.
      */
-    std::vector<dealii::SymmetricTensor<2, dim>>
-    tensor_at_points(const std::vector<VectorType> &components) const;
+    AtPoints
+    conserved(const std::vector<VectorType> &components,
+              const Function                &function,
+              const PointTensors<dim>       &tensors) const;
 
   private:
     static constexpr unsigned int n_nodes    = n_quadratic_nodes(dim);
@@ -77,9 +97,24 @@ namespace Catena
     Place
     find(const dealii::Point<dim> &point, double &violation) const;
 
+    /// Of a point among others near it, with the cells in which those are.
+    Place
+    find(const dealii::Point<dim>  &point,
+         std::vector<unsigned int> &cells_nearby) const;
+
     /// Values of a P1 field at the vertices of all cells of the source.
     std::vector<std::array<double, n_vertices>>
     gather_vertex_values(const VectorType &field) const;
+
+    /// At the vertices of a cell of the source: of a field, and of tensors at
+    /// points.
+    using VertexTensors =
+      std::array<dealii::SymmetricTensor<2, dim>, n_vertices>;
+    using CellTensors = std::array<VertexTensors, 2>;
+
+    std::vector<CellTensors>
+    gather_cell_tensors(const std::vector<VectorType> &components,
+                        const PointTensors<dim>       &tensors) const;
   };
 } // namespace Catena
 

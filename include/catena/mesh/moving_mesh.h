@@ -52,6 +52,8 @@ namespace Catena
       std::array<unsigned int, n_vertices> vertices;
       bool                                 curved;
       bool                                 owned;
+      /// its place in cells()
+      unsigned int index;
     };
 
     /// No particle has this node on its surface.

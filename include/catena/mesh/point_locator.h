@@ -47,10 +47,11 @@ namespace Catena
     Location
     locate(const dealii::Point<dim> &p) const;
 
-  private:
+    /// Where it is in the reference simplex of this cell.
     Location
     locate_in(const unsigned int cell, const dealii::Point<dim> &p) const;
 
+  private:
     using Entry = std::pair<dealii::BoundingBox<dim>, unsigned int>;
 
     std::vector<CellNodes> nodes;

@@ -55,7 +55,7 @@ namespace Catena
   {
   public:
     /// Increased whenever what is archived changes.
-    static constexpr unsigned int version = 3;
+    static constexpr unsigned int version = 4;
 
     Checkpoint(const std::string &directory, const MPI_Comm communicator);
 

@@ -49,6 +49,13 @@ namespace Catena
           const std::vector<double> &external_forces,
           const Contacts<dim>       &contacts);
 
+    /**
+     * Of @p next, the flow of which was solved for last, and the
+     * log-conformation afterwards.
+     */
+    void
+    find_unresolved_conformation(Level<dim> &next) const;
+
     /// Make a new preconditioner in the next solve.
     void
     renew_preconditioner()
@@ -98,19 +105,24 @@ namespace Catena
     Instant preconditioner_instant;
 
     /// On which the stress of a viscoelastic fluid depends.
-    using Motion = typename StressPrediction<dim>::Motion;
+    using Conformation = typename StressPrediction<dim>::Conformation;
+    using Motion       = typename StressPrediction<dim>::Motion;
 
-    Motion
-    motion(const Level<dim> &next,
-           const TimeStep   &step,
-           const Level<dim> &now,
-           const VectorType &mesh_velocity) const;
+    /// Of the last solve in a viscoelastic fluid.
+    std::unique_ptr<Motion>                motion;
+    std::unique_ptr<StressPrediction<dim>> prediction;
 
-    std::unique_ptr<StressModel<dim>>
-    linear_stress(const TimeStep                &step,
-                  const std::vector<VectorType> &log_conformation,
-                  const std::vector<VectorType> &old_log_conformation,
-                  const Motion                  &motion) const;
+    std::unique_ptr<Motion>
+    motion_towards(const Level<dim> &next,
+                   const TimeStep   &step,
+                   const Level<dim> &now,
+                   const VectorType &mesh_velocity) const;
+
+    std::unique_ptr<StressPrediction<dim>>
+    predict(const TimeStep     &step,
+            const Conformation &now,
+            const Conformation &before,
+            const Motion       &motion) const;
 
     /// Does the stress of a step have a part with the smooth rate of strain?
     bool

@@ -6,6 +6,7 @@
 #include <catena/mesh/field_archive.h>
 #include <catena/mesh/mesh_mover.h>
 #include <catena/mesh/moving_mesh.h>
+#include <catena/mesh/point_tensors.h>
 #include <catena/scene/configuration.h>
 
 #include <memory>
@@ -52,6 +53,8 @@ namespace Catena
     FlowFields<dim>    flow;
     /// components of log(c) in deal.II's order; empty for a Newtonian fluid
     std::vector<VectorType> log_conformation;
+    /// c' of StressPrediction; none for a Newtonian fluid and at the start
+    PointTensors<dim> unresolved_conformation;
 
     /// Save or load it.
     void

@@ -1,0 +1,112 @@
+#ifndef catena_mesh_point_tensors_h
+#define catena_mesh_point_tensors_h
+
+#include <catena/base/archive.h>
+#include <catena/base/pack.h>
+#include <catena/mesh/cell_values.h>
+#include <catena/mesh/moving_mesh.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <vector>
+
+namespace Catena
+{
+  /**
+   * A symmetric tensor at each quadrature point of CellValues in the cells that
+   * this rank owns.
+   */
+  template <int dim, typename Number = float>
+  class PointTensors
+  {
+  public:
+    using Cell       = typename MovingMesh<dim>::Cell;
+    using PackValues = typename CellValues<dim>::PackValues;
+    using Tensors    = dealii::SymmetricTensor<2, dim, Pack>;
+
+    /// None.
+    PointTensors() = default;
+
+    /// Zero.
+    explicit PointTensors(const MovingMesh<dim> &mesh);
+
+    bool
+    empty() const
+    {
+      return numbers.empty();
+    }
+
+    /// Those of some points of an owned cell.
+    Tensors
+    get(const Cell &cell, const PackValues &pack) const;
+
+    void
+    set(const Cell &cell, const PackValues &pack, const Tensors &tensors);
+
+    /// Those of an owned cell.
+    std::vector<dealii::SymmetricTensor<2, dim>>
+    of_cell(const Cell &cell) const;
+
+    /**
+     * Save or load them as FieldArchive does with fields, cell by cell of the
+     * mesh's description. Collective.
+     */
+    void
+    archive(Archive &archive, const MovingMesh<dim> &mesh);
+
+  private:
+    /// by cell of the mesh, where its numbers begin: by pack, component and
+    /// lane
+    std::vector<unsigned int> begin;
+    std::vector<Number>       numbers;
+
+    static constexpr unsigned int n_components = n_symmetric_components(dim),
+                                  numbers_per_pack = n_components * pack_size;
+
+    unsigned int
+    position(const Cell &cell, const PackValues &pack) const;
+  };
+
+
+
+  // ---------------------------- inline functions ----------------------------
+
+  template <int dim, typename Number>
+  inline unsigned int
+  PointTensors<dim, Number>::position(const Cell       &cell,
+                                      const PackValues &pack) const
+  {
+    Assert(cell.owned, dealii::ExcInternalError());
+    return begin[cell.index] + pack.first / pack_size * numbers_per_pack;
+  }
+
+
+
+  template <int dim, typename Number>
+  inline typename PointTensors<dim, Number>::Tensors
+  PointTensors<dim, Number>::get(const Cell &cell, const PackValues &pack) const
+  {
+    Tensors       tensors;
+    const Number *next = numbers.data() + position(cell, pack);
+    for (unsigned int k = 0; k < n_components; ++k, next += pack_size)
+      tensors.access_raw_entry(k) =
+        Pack(next, std::experimental::element_aligned);
+    return tensors;
+  }
+
+
+
+  template <int dim, typename Number>
+  inline void
+  PointTensors<dim, Number>::set(const Cell       &cell,
+                                 const PackValues &pack,
+                                 const Tensors    &tensors)
+  {
+    Number *next = numbers.data() + position(cell, pack);
+    for (unsigned int k = 0; k < n_components; ++k, next += pack_size)
+      tensors.access_raw_entry(k).copy_to(next,
+                                          std::experimental::element_aligned);
+  }
+} // namespace Catena
+
+#endif
