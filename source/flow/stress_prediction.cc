@@ -81,7 +81,7 @@ namespace Catena
     , now(now)
     , before(before)
     , motion(motion)
-    , known_change(mesh)
+    , known_conformation(mesh)
   {}
 
 
@@ -163,7 +163,7 @@ namespace Catena
       {
         const auto [known, c_hat] = predict(data, values, pack);
         if (cell.owned)
-          known_change.set(cell, pack, known - c_hat);
+          known_conformation.set(cell, pack, known);
         const Tensors viscosity = beta * identity + (G * implicit_time) * c_hat,
                       stress    = G * (known - identity);
         for (unsigned int k = 0; k < pack.n_points; ++k)
@@ -200,14 +200,11 @@ namespace Catena
             const auto L = gradients_at<dim>(values, pack, u);
             const auto c_hat =
               exponential(interpolate<dim>(pack, data.s_extrapolated));
-            auto unresolved = known_change.get(cell, pack);
-            unresolved += c_hat - exponential(interpolate<dim>(pack, s));
-            for (unsigned int i = 0; i < dim; ++i)
-              for (unsigned int j = i; j < dim; ++j)
-                for (unsigned int k = 0; k < dim; ++k)
-                  unresolved[i][j] += implicit_time * (L[i][k] * c_hat[k][j] +
-                                                       c_hat[i][k] * L[j][k]);
-            result.set(cell, pack, unresolved);
+            const Tensors c_p = known_conformation.get(cell, pack) +
+                                implicit_time * stretching_rate(L, c_hat);
+            result.set(cell,
+                       pack,
+                       c_p - exponential(interpolate<dim>(pack, s)));
           }
       }
     return result;

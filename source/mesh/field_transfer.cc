@@ -2,6 +2,7 @@
 #include <catena/mesh/cell_fields.h>
 #include <catena/mesh/cell_values.h>
 #include <catena/mesh/field_transfer.h>
+#include <catena/mesh/linear_fit.h>
 #include <catena/mesh/quadratic_shape.h>
 
 #include <deal.II/base/mpi.h>
@@ -72,46 +73,6 @@ namespace Catena
           tensor.access_raw_entry(k) *= -1.;
       return tensor;
     }
-
-
-
-    /**
-     * The linear function on the reference cell that is closest (L2) to what is
-     * given at the points of a rule.
-     */
-    template <int dim>
-    struct LinearFit
-    {
-      static constexpr unsigned int n_vertices = n_linear_nodes(dim);
-
-      /// by point: the linear shape functions, and the weights of the values at
-      /// the vertices
-      std::vector<std::array<double, n_vertices>> linear, weights;
-
-      explicit LinearFit(const Quadrature<dim> &rule)
-      {
-        // the mass matrix is volume/((d+1)(d+2)) (1 + delta_uv)
-        constexpr double volume = dim == 2 ? 1. / 2. : 1. / 6.;
-        for (unsigned int q = 0; q < rule.size(); ++q)
-          {
-            linear.push_back(barycentric_coordinates<dim>(rule.point(q)));
-            weights.push_back(linear.back());
-            for (double &weight : weights.back())
-              weight =
-                rule.weight(q) / volume * (dim + 1) * ((dim + 2) * weight - 1.);
-          }
-      }
-
-      std::array<SymmetricTensor<2, dim>, n_vertices>
-      values(const std::vector<SymmetricTensor<2, dim>> &at_points) const
-      {
-        std::array<SymmetricTensor<2, dim>, n_vertices> result;
-        for (unsigned int q = 0; q < weights.size(); ++q)
-          for (unsigned int v = 0; v < n_vertices; ++v)
-            result[v] += weights[q][v] * at_points[q];
-        return result;
-      }
-    };
   } // namespace
 
 
@@ -305,9 +266,10 @@ namespace Catena
 
   template <int dim>
   typename FieldTransfer<dim>::AtPoints
-  FieldTransfer<dim>::conserved(const std::vector<VectorType> &components,
-                                const Function                &function,
-                                const PointTensors<dim>       &tensors) const
+  FieldTransfer<dim>::conserved_at_points(
+    const std::vector<VectorType> &components,
+    const TensorFunction          &function,
+    const PointTensors<dim>       &tensors) const
   {
     struct Rule
     {

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -35,15 +36,13 @@ namespace Catena
   template <int dim, typename Number>
   PointTensors<dim, Number>::PointTensors(const MovingMesh<dim> &mesh)
   {
-    begin.reserve(mesh.cells().size());
-    unsigned int size = 0;
+    begin.reserve(mesh.cells().size() + 1);
+    begin.push_back(0);
     for (const Cell &cell : mesh.cells())
-      {
-        begin.push_back(size);
-        if (cell.owned)
-          size += n_packs<dim>(cell.curved) * numbers_per_pack;
-      }
-    numbers.resize(size);
+      begin.push_back(
+        begin.back() +
+        (cell.owned ? n_packs<dim>(cell.curved) * numbers_per_pack : 0));
+    numbers.resize(begin.back());
   }
 
 
@@ -72,47 +71,63 @@ namespace Catena
   PointTensors<dim, Number>::archive(Archive               &archive,
                                      const MovingMesh<dim> &mesh)
   {
-    // of each cell of the description, on rank 0
+    if (archive.is_loading())
+      load(archive, mesh);
+    else
+      save(archive, mesh);
+  }
+
+
+
+  /// As how many numbers each cell of the description has, and all of them.
+  template <int dim, typename Number>
+  void
+  PointTensors<dim, Number>::save(Archive               &archive,
+                                  const MovingMesh<dim> &mesh) const
+  {
+    using CellNumbers = std::pair<unsigned int, std::vector<Number>>;
+    std::vector<CellNumbers> mine;
+    if (!empty())
+      for (const Cell &cell : mesh.cells())
+        if (cell.owned)
+          mine.emplace_back(
+            cell.iterator->active_cell_index(),
+            std::vector<Number>(numbers.begin() + begin[cell.index],
+                                numbers.begin() + begin[cell.index + 1]));
+
+    std::vector<std::vector<Number>> cells;
+    for (auto &of_rank :
+         Utilities::MPI::gather(mesh.communicator(), std::move(mine), 0))
+      for (CellNumbers &cell : of_rank)
+        {
+          if (cells.empty())
+            cells.resize(mesh.n_global_cells());
+          cells[cell.first] = std::move(cell.second);
+        }
+
     std::vector<unsigned int> counts;
     std::vector<Number>       ordered;
-
-    if (!archive.is_loading())
+    for (const std::vector<Number> &cell : cells)
       {
-        using CellNumbers = std::pair<unsigned int, std::vector<Number>>;
-        std::vector<CellNumbers> mine;
-        if (!empty())
-          for (const Cell &cell : mesh.cells())
-            if (cell.owned)
-              {
-                const auto first = numbers.begin() + begin[cell.index];
-                mine.emplace_back(
-                  cell.iterator->active_cell_index(),
-                  std::vector<Number>(first,
-                                      first + n_packs<dim>(cell.curved) *
-                                                numbers_per_pack));
-              }
-        std::vector<std::vector<Number>> cells;
-        for (auto &of_rank :
-             Utilities::MPI::gather(mesh.communicator(), std::move(mine), 0))
-          for (CellNumbers &cell : of_rank)
-            {
-              if (cells.empty())
-                cells.resize(mesh.n_global_cells());
-              cells[cell.first] = std::move(cell.second);
-            }
-        for (const std::vector<Number> &cell : cells)
-          {
-            counts.push_back(cell.size());
-            ordered.insert(ordered.end(), cell.begin(), cell.end());
-          }
-        archive(counts, ordered);
-        return;
+        counts.push_back(cell.size());
+        ordered.insert(ordered.end(), cell.begin(), cell.end());
       }
+    archive(counts, ordered);
+  }
 
+
+
+  template <int dim, typename Number>
+  void
+  PointTensors<dim, Number>::load(Archive &archive, const MovingMesh<dim> &mesh)
+  {
+    std::vector<unsigned int> counts;
+    std::vector<Number>       ordered;
     archive(counts, ordered);
     *this = PointTensors();
     if (counts.empty())
       return;
+
     if (counts.size() != mesh.n_global_cells())
       throw CheckpointError(
         "it has tensors at the points of " + std::to_string(counts.size()) +
@@ -126,18 +141,21 @@ namespace Catena
       if (!std::isfinite(number))
         throw CheckpointError("it has values that are not finite");
 
-    *this = PointTensors(mesh);
+    *this        = PointTensors(mesh);
+    bool fitting = true;
     for (const Cell &cell : mesh.cells())
-      {
-        if (!cell.owned)
-          continue;
-        const unsigned int c = cell.iterator->active_cell_index();
-        if (counts[c] != n_packs<dim>(cell.curved) * numbers_per_pack)
-          throw CheckpointError("a cell has another number of points");
-        std::copy(ordered.begin() + first[c],
-                  ordered.begin() + first[c + 1],
-                  numbers.begin() + begin[cell.index]);
-      }
+      if (cell.owned)
+        {
+          const unsigned int c = cell.iterator->active_cell_index();
+          if (counts[c] == begin[cell.index + 1] - begin[cell.index])
+            std::copy(ordered.begin() + first[c],
+                      ordered.begin() + first[c + 1],
+                      numbers.begin() + begin[cell.index]);
+          else
+            fitting = false;
+        }
+    if (Utilities::MPI::min(fitting ? 1 : 0, mesh.communicator()) == 0)
+      throw CheckpointError("a cell of its mesh has another number of points");
   }
 
 

@@ -35,6 +35,7 @@ namespace Catena
     bodies                 = &new_bodies;
     preconditioner_instant = Instant();
     prediction.reset();
+    motion.reset();
     flow_solver.reinit(*mesh, *bodies, configuration, held_in_place);
   }
 
@@ -51,7 +52,6 @@ namespace Catena
 
 
 
-  /// Never copied: fields would lose their ghost values.
   template <int dim>
   std::unique_ptr<typename FlowStep<dim>::Motion>
   FlowStep<dim>::motion_towards(const Level<dim> &next,
@@ -215,12 +215,15 @@ namespace Catena
 
   template <int dim>
   void
-  FlowStep<dim>::find_unresolved_conformation(Level<dim> &next) const
+  FlowStep<dim>::find_unresolved_conformation(Level<dim> &next)
   {
+    Assert(prediction, ExcMessage("No flow has been solved for."));
     const auto timer = run_report.time("unresolved conformation");
     next.unresolved_conformation =
       prediction->unresolved_conformation(next.flow.velocity,
                                           next.log_conformation);
+    prediction.reset();
+    motion.reset();
   }
 
 

@@ -1,11 +1,8 @@
 #include <catena/base/exceptions.h>
 #include <catena/base/replace_field.h>
-#include <catena/conformation/entropy_projection.h>
-#include <catena/mesh/cell_fields.h>
+#include <catena/conformation/conformation_transfer.h>
 #include <catena/mesh/field_transfer.h>
 #include <catena/particles/contacts.h>
-#include <catena/rheology/exponential.h>
-#include <catena/rheology/spectral.h>
 #include <catena/scene/image_in_block.h>
 #include <catena/simulation/remesher.h>
 
@@ -333,70 +330,6 @@ namespace Catena
 
 
 
-  namespace
-  {
-    /// c - exp(s), with c at the points of all cells.
-    template <int dim>
-    PointTensors<dim>
-    difference(const std::vector<SymmetricTensor<2, dim>> &conformation,
-               const std::vector<VectorType>              &log_conformation,
-               const MovingMesh<dim>                      &mesh,
-               const VectorType                           &positions)
-    {
-      PointTensors<dim> result(mesh);
-      CellValues<dim>   values;
-      auto              next = conformation.begin();
-      for (const auto &cell : mesh.cells())
-        {
-          values.reinit(mesh.cell_positions(cell, positions), cell.curved);
-          const auto s = vertex_tensors<dim>(cell, log_conformation);
-          for (const auto &pack : values.packs())
-            {
-              SymmetricTensor<2, dim, Pack> c;
-              for (unsigned int k = 0; k < pack.n_points; ++k)
-                set_lane(c, k, *next++);
-              if (cell.owned)
-                result.set(cell,
-                           pack,
-                           c - exponential(interpolate<dim>(pack, s)));
-            }
-        }
-      return result;
-    }
-
-
-
-    /**
-     * The resolved part conserves its stress in the mean, and the part that is
-     * not resolved makes up for the rest: their sum is as before.
-     */
-    template <int dim>
-    void
-    transfer_conformation(const FieldTransfer<dim> &transfer,
-                          const MovingMesh<dim>    &mesh,
-                          const VectorType         &positions,
-                          Level<dim>               &level)
-    {
-      auto conformation = transfer.conserved(
-        level.log_conformation,
-        [](const SymmetricTensor<2, dim> &s) {
-          return exponential<dim>(spectral_decomposition<dim>(s));
-        },
-        level.unresolved_conformation);
-      const auto guess       = transfer.tensor(level.log_conformation);
-      level.log_conformation = EntropyProjection<dim>(mesh, positions)
-                                 .project(conformation.of_field, guess);
-      for (unsigned int q = 0; q < conformation.of_field.size(); ++q)
-        conformation.of_field[q] += conformation.of_points[q];
-      level.unresolved_conformation = difference(conformation.of_field,
-                                                 level.log_conformation,
-                                                 mesh,
-                                                 positions);
-    }
-  } // namespace
-
-
-
   template <int dim>
   void
   Remesher<dim>::remesh(State<dim> &state, Configuration<dim> &next) const
@@ -441,7 +374,11 @@ namespace Catena
                           transfer.scalar(level->flow.pressure));
           }
         if (!level->log_conformation.empty())
-          transfer_conformation(transfer, mesh, positions, *level);
+          transfer_conformation(transfer,
+                                mesh,
+                                positions,
+                                level->log_conformation,
+                                level->unresolved_conformation);
       }
     mesh.set_positions(final_positions);
     // no field of the old mesh is assigned to, see replace_field()

@@ -36,7 +36,16 @@ namespace Catena
     for (unsigned int i = 0; i < layout.particles.size(); ++i)
       layout.particles[i].centre = reference.centres[i];
     mover.reset();
-    mesh = std::make_unique<MovingMesh<dim>>(communicator, layout, description);
+    try
+      {
+        mesh =
+          std::make_unique<MovingMesh<dim>>(communicator, layout, description);
+      }
+    catch (const MeshError &error)
+      {
+        throw CheckpointError("its mesh is damaged. " +
+                              std::string(error.what()));
+      }
     if (!(mesh->quality() > 0.))
       throw CheckpointError("its mesh is inverted");
     mover = std::make_unique<MeshMover<dim>>(*mesh, reference);

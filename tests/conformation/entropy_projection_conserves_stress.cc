@@ -130,7 +130,8 @@ check(Claims &claims, const Scene<dim> &scene, const std::string &name)
                                         mesh.positions());
       const auto s = interpolate_tensor<dim>(old, old.positions(), exact);
       const auto conformation =
-        transfer.conserved(s, exponential_of<dim>, PointTensors<dim>())
+        transfer
+          .conserved_at_points(s, exponential_of<dim>, PointTensors<dim>())
           .of_field;
       const auto guess = transfer.tensor(s);
 

@@ -114,7 +114,7 @@ check_transfer(Claims              &claims,
                                   target,
                                   target.positions());
   const auto             transferred = transfer
-                             .conserved(
+                             .conserved_at_points(
                                source.tensor_field(),
                                [](const SymmetricTensor<2, 3> &s) { return s; },
                                exact_tensors(source))

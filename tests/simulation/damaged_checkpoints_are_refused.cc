@@ -188,12 +188,14 @@ namespace
    * Some differ in numbers only, which nothing can tell.
    */
   void
-  test_content(Tests::Claims &claims)
+  test_content(Tests::Claims &claims, const FluidParameters::Model model)
   {
+    auto parameters        = run_parameters();
+    parameters.fluid.model = model;
     std::string bytes;
     {
       Simulation<2> simulation(Tests::three_discs(),
-                               run_parameters(),
+                               parameters,
                                MPI_COMM_WORLD);
       simulation.initialize();
       simulation.advance();
@@ -213,7 +215,7 @@ namespace
         try
           {
             Simulation<2> simulation(Tests::three_discs(),
-                                     run_parameters(),
+                                     parameters,
                                      MPI_COMM_WORLD);
             Archive       archive(damaged);
             simulation.archive(archive);
@@ -320,7 +322,8 @@ main(int argc, char **argv)
     std::filesystem::remove_all(folder);
     run(run_parameters(), false);
     test_damage(claims);
-    test_content(claims);
+    test_content(claims, FluidParameters::Model::newtonian);
+    test_content(claims, FluidParameters::Model::giesekus);
     test_resume(claims);
   });
 }

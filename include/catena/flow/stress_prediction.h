@@ -40,17 +40,20 @@ namespace Catena
    * second order in time; at rest in time c' = M r with the residual r, which
    * is of the order of the elements, whatever the step. The tensor viscosity is
    * H = beta I + (G dt/a0) c^, where c^ = exp(s^) stays positive: the momentum
-   * balance is well posed also without solvent. Without the memory of c' it is
-   * the published scheme, in which the stress at rest depends on the step.
+   * balance is well posed also without solvent. With m = dt/a0 and c'^n =
+   * c'^(n-1) = 0 it is the published scheme, in which the stress at rest
+   * depends on the step.
    *
    * The shorter M is, the less the stress has of r. With
    *
-   *   M = ( (1/lambda + 2 gamma)^2 + (|L^n|/2)^2 + (|w|/4h)^2 )^(-1/2),
+   *   M = ( (1/lambda + 2)^2 + (|L^n|/2)^2 + (|w^|/4h)^2 )^(-1/2),
    *
-   * h the length of an element along w, it is the time in which the
-   * conformation relaxes, turns or is carried through four elements. The
-   * numbers are those with which the spins of and the force between aligned
-   * particles on coarse meshes are nearest to those on fine ones.
+   * in units of 1/gamma, with the length h of an element along w^, it is the
+   * time in which the conformation relaxes, turns or is carried through four
+   * elements. The numbers are those with which the spins of three aligned
+   * particles and the force between them on 48 and 64 elements on an equator
+   * are nearest to those on 128 (Wi = 3, alpha = beta = 0.1, a gap of 0.02
+   * diameters).
    *
    * In a step without a previous one m = dt/a0.
    *
@@ -67,7 +70,8 @@ namespace Catena
   public:
     using Cell = typename MovingMesh<dim>::Cell;
 
-    /// The conformation at an instant, kept by reference.
+    /// The conformation at an instant, kept by reference: of fields that last
+    /// as long as the prediction.
     struct Conformation
     {
       /// s
@@ -76,7 +80,8 @@ namespace Catena
       const PointTensors<dim> &unresolved;
     };
 
-    /// Motion of the fluid that the prediction takes as known.
+    /// Motion of the fluid that the prediction takes as known. Not to be
+    /// copied: fields lose their ghost values.
     struct Motion
     {
       /// w^ at the P2 nodes
@@ -104,6 +109,7 @@ namespace Catena
                      const Conformation    &before,
                      const Motion          &motion);
 
+    /// @param values with the rules of CellValues
     void
     evaluate(const Cell                           &cell,
              const CellValues<dim>                &values,
@@ -138,8 +144,8 @@ namespace Catena
     const Conformation     now, before;
     const Motion          &motion;
 
-    /// known - c^, left by evaluate(): it takes long to compute
-    mutable PointTensors<dim, double> known_change;
+    /// of c_p, left by evaluate(): it takes long to compute
+    mutable PointTensors<dim, double> known_conformation;
 
     Prediction
     predict(const CellData        &data,

@@ -48,8 +48,8 @@ namespace Catena
     std::vector<VectorType>
     tensor(const std::vector<VectorType> &components) const;
 
-    using Tensors  = std::vector<dealii::SymmetricTensor<2, dim>>;
-    using Function = std::function<dealii::SymmetricTensor<2, dim>(
+    using Tensors        = std::vector<dealii::SymmetricTensor<2, dim>>;
+    using TensorFunction = std::function<dealii::SymmetricTensor<2, dim>(
       const dealii::SymmetricTensor<2, dim> &)>;
 
     /// Tensors at the points of CellValues<dim> of all cells of the target.
@@ -69,9 +69,9 @@ namespace Catena
      * source counts by its share of the volume.
      */
     AtPoints
-    conserved(const std::vector<VectorType> &components,
-              const Function                &function,
-              const PointTensors<dim>       &tensors) const;
+    conserved_at_points(const std::vector<VectorType> &components,
+                        const TensorFunction          &function,
+                        const PointTensors<dim>       &tensors) const;
 
   private:
     static constexpr unsigned int n_nodes    = n_quadratic_nodes(dim);

@@ -55,13 +55,19 @@ namespace Catena
     archive(Archive &archive, const MovingMesh<dim> &mesh);
 
   private:
-    /// by cell of the mesh, where its numbers begin: by pack, component and
-    /// lane
+    /// by cell of the mesh, where its numbers begin, and the end of all: by
+    /// pack, component and lane
     std::vector<unsigned int> begin;
     std::vector<Number>       numbers;
 
     static constexpr unsigned int n_components = n_symmetric_components(dim),
                                   numbers_per_pack = n_components * pack_size;
+
+    void
+    save(Archive &archive, const MovingMesh<dim> &mesh) const;
+
+    void
+    load(Archive &archive, const MovingMesh<dim> &mesh);
 
     unsigned int
     position(const Cell &cell, const PackValues &pack) const;
@@ -77,7 +83,11 @@ namespace Catena
                                       const PackValues &pack) const
   {
     Assert(cell.owned, dealii::ExcInternalError());
-    return begin[cell.index] + pack.first / pack_size * numbers_per_pack;
+    const unsigned int first =
+      begin[cell.index] + pack.first / pack_size * numbers_per_pack;
+    Assert(first + numbers_per_pack <= begin[cell.index + 1],
+           dealii::ExcMessage("The rule is not that of CellValues."));
+    return first;
   }
 
 

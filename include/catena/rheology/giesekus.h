@@ -44,6 +44,25 @@ namespace Catena
   };
 
   /**
+   * L c + c L^T, the rate at which a velocity gradient @p L stretches and turns
+   * the tensor @p c.
+   */
+  template <int dim, typename Number>
+  inline dealii::SymmetricTensor<2, dim, Number>
+  stretching_rate(const dealii::Tensor<2, dim, Number>          &L,
+                  const dealii::SymmetricTensor<2, dim, Number> &c)
+  {
+    dealii::SymmetricTensor<2, dim, Number> rate;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = i; j < dim; ++j)
+        for (unsigned int k = 0; k < dim; ++k)
+          rate[i][j] += L[i][k] * c[k][j] + c[i][k] * L[j][k];
+    return rate;
+  }
+
+
+
+  /**
    * The Giesekus model (H. Giesekus, J. Non-Newtonian Fluid Mech. 11 (1982)
    * 69) at a material point, for the conformation c and for its logarithm
    * s = log(c). The polymer stress is tau = G (c - I) and
@@ -210,12 +229,7 @@ namespace Catena
     const dealii::Tensor<2, dim, Number>          &L,
     const dealii::SymmetricTensor<2, dim, Number> &c) const
   {
-    dealii::SymmetricTensor<2, dim, Number> rate = relaxation(c);
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = i; j < dim; ++j)
-        for (unsigned int k = 0; k < dim; ++k)
-          rate[i][j] += L[i][k] * c[k][j] + c[i][k] * L[j][k];
-    return rate;
+    return stretching_rate(L, c) + relaxation(c);
   }
 
 

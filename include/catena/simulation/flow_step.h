@@ -54,7 +54,7 @@ namespace Catena
      * log-conformation afterwards.
      */
     void
-    find_unresolved_conformation(Level<dim> &next) const;
+    find_unresolved_conformation(Level<dim> &next);
 
     /// Make a new preconditioner in the next solve.
     void
@@ -108,7 +108,8 @@ namespace Catena
     using Conformation = typename StressPrediction<dim>::Conformation;
     using Motion       = typename StressPrediction<dim>::Motion;
 
-    /// Of the last solve in a viscoelastic fluid.
+    /// Of the last solve in a viscoelastic fluid, until
+    /// find_unresolved_conformation().
     std::unique_ptr<Motion>                motion;
     std::unique_ptr<StressPrediction<dim>> prediction;
 
