@@ -4,6 +4,8 @@
 #include <catena/rheology/exponential.h>
 #include <catena/rheology/spectral.h>
 
+#include <algorithm>
+
 namespace Catena
 {
   using namespace dealii;
@@ -38,6 +40,47 @@ namespace Catena
         }
       return result;
     }
+    /**
+     * Raise the eigenvalues of s at the vertices that are far below those of
+     * the field at hand: where it is steep the projection swings, and what is
+     * compressed by it would relax at the rate exp(-s)/lambda.
+     */
+    template <int dim>
+    void
+    bound_from_below(std::vector<VectorType>       &log_conformation,
+                     const std::vector<VectorType> &field,
+                     const MovingMesh<dim>         &mesh)
+    {
+      constexpr double margin   = 0.5;
+      const auto       spectrum = [](const std::vector<VectorType> &s,
+                               const unsigned int             vertex) {
+        SymmetricTensor<2, dim> tensor;
+        for (unsigned int k = 0; k < s.size(); ++k)
+          tensor.access_raw_entry(k) = s[k](vertex);
+        return spectral_decomposition<dim>(tensor);
+      };
+      for (const auto vertex : mesh.owned_scalars())
+        {
+          const auto   wanted  = spectrum(field, vertex).values;
+          const auto   present = spectrum(log_conformation, vertex);
+          const double smallest =
+            *std::min_element(wanted.begin(), wanted.end()) - margin;
+          Tensor<2, dim> raised;
+          bool           is_raised = false;
+          for (unsigned int i = 0; i < dim; ++i)
+            {
+              is_raised |= present.values[i] < smallest;
+              raised[i][i] = std::max(present.values[i], smallest);
+            }
+          if (!is_raised)
+            continue;
+          const SymmetricTensor<2, dim> s = from_frame(raised, present.vectors);
+          for (unsigned int k = 0; k < log_conformation.size(); ++k)
+            log_conformation[k](vertex) = s.access_raw_entry(k);
+        }
+      for (VectorType &component : log_conformation)
+        component.update_ghost_values();
+    }
   } // namespace
 
 
@@ -59,6 +102,7 @@ namespace Catena
     const auto guess = transfer.tensor(log_conformation);
     log_conformation = EntropyProjection<dim>(mesh, positions)
                          .project(conformation.of_field, guess);
+    bound_from_below(log_conformation, guess, mesh);
     for (unsigned int q = 0; q < conformation.of_field.size(); ++q)
       conformation.of_field[q] += conformation.of_points[q];
     unresolved =

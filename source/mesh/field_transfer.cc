@@ -283,9 +283,9 @@ namespace Catena
           quadratic.push_back(quadratic_shape_values<dim>(x));
       }
     };
-    const std::array<Rule, 2> rules = {
-      {Rule(CellValues<dim>::rule(false)), Rule(CellValues<dim>::rule(true))}};
-    const Rule many_points(QWitherdenVincentSimplex<dim>(4));
+    const Rule straight_rule(CellValues<dim>::rule(false)),
+      curved_rule(CellValues<dim>::rule(true)),
+      many_points(QWitherdenVincentSimplex<dim>(4));
 
     const auto cells = gather_cell_tensors(components, tensors);
     AtPoints   result;
@@ -315,22 +315,18 @@ namespace Catena
           return values;
         };
 
-        const Rule &rule      = rules[cell.curved];
-        AtPoints    at_points = evaluate(rule);
-        const auto  exact     = evaluate(many_points);
-        const auto  add_changed =
-          [&](Tensors &all, Tensors &values, const Tensors &exact_values) {
-            const auto wanted  = many_points.fit.values(exact_values),
-                       present = rule.fit.values(values);
-            for (unsigned int q = 0; q < values.size(); ++q)
-              {
-                for (unsigned int v = 0; v < n_vertices; ++v)
-                  values[q] += rule.fit.linear[q][v] * (wanted[v] - present[v]);
-                all.push_back(values[q]);
-              }
-          };
-        add_changed(result.of_field, at_points.of_field, exact.of_field);
-        add_changed(result.of_points, at_points.of_points, exact.of_points);
+        // c stays positive in the mean: the rule of a curved cell has many
+        // points
+        AtPoints values = evaluate(cell.curved ? curved_rule : many_points);
+        for (Tensors *of : {&values.of_field, &values.of_points})
+          if (!cell.curved)
+            *of = straight_rule.fit.at_points(many_points.fit.values(*of));
+        result.of_field.insert(result.of_field.end(),
+                               values.of_field.begin(),
+                               values.of_field.end());
+        result.of_points.insert(result.of_points.end(),
+                                values.of_points.begin(),
+                                values.of_points.end());
       }
     return result;
   }

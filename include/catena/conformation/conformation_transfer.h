@@ -12,8 +12,9 @@ namespace Catena
   /**
    * Carry the conformation c_p = exp(s) + c' of StressPrediction to the target
    * of @p transfer, @p mesh at @p positions. There s is the projection of
-   * exp(s) that conserves its stress (EntropyProjection), and c' what then is
-   * missing to the whole c_p: each cell has the stress that was in its volume.
+   * exp(s) that conserves its stress (EntropyProjection), with eigenvalues not
+   * far below those that there were, and c' what then is missing to the whole
+   * c_p: each cell has the stress that was in its volume.
    *
    * @param log_conformation components of s, replaced
    * @param unresolved c', none if it is zero; replaced

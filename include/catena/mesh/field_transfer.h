@@ -63,10 +63,9 @@ namespace Catena
      * the source, in each of its cells the linear function closest to them
      * (L2); zero if there are none.
      *
-     * The value at a point is that there, and a linear function by which the
-     * integrals over a cell of the target, weighted with linear functions, are
-     * those of a rule with many points: what jumps from cell to cell of the
-     * source counts by its share of the volume.
+     * In a straight cell they are the linear function closest to what is found
+     * at many points (L2): what jumps from cell to cell of the source counts by
+     * its share of the volume.
      */
     AtPoints
     conserved_at_points(const std::vector<VectorType> &components,

@@ -48,6 +48,18 @@ namespace Catena
           result[v] += weights[q][v] * at_points[q];
       return result;
     }
+
+    /// At the points, the linear function with these values at the vertices.
+    std::vector<dealii::SymmetricTensor<2, dim>>
+    at_points(const std::array<dealii::SymmetricTensor<2, dim>, n_vertices>
+                &vertices) const
+    {
+      std::vector<dealii::SymmetricTensor<2, dim>> result(linear.size());
+      for (unsigned int q = 0; q < linear.size(); ++q)
+        for (unsigned int v = 0; v < n_vertices; ++v)
+          result[q] += linear[q][v] * vertices[v];
+      return result;
+    }
   };
 } // namespace Catena
 
