@@ -39,8 +39,9 @@ namespace Catena
    * Bytes that FlowSolver has to move for a solution: what it knows of the
    * cells and the vector of the nodes for each product, every entry and every
    * index of the matrices of the preconditioner once for each product and each
-   * sweep over them, with the vectors of the sweep, and the basis of GMRES
-   * twice for each of its vectors. What the coarser levels of the multigrid and
+   * sweep over them, of the operator of the velocity those below the diagonal,
+   * with the vectors of the sweep, and the basis of GMRES twice for each of its
+   * vectors. What the coarser levels of the multigrid and
    * the other vectors take is left out.
    */
   inline double
@@ -49,10 +50,11 @@ namespace Catena
                       const double                     iterations)
   {
     constexpr double index = 4., single = 4., whole = 8.;
-    constexpr double sweeps = 4., mass_sweeps = 4., earlier_solutions = 4.,
+    constexpr double sweeps = 2., mass_sweeps = 4., earlier_solutions = 4.,
                      residuals = 2.;
-    // residual, step and solution are read and written, the diagonal is read
-    constexpr double vectors_of_a_sweep = 7.;
+    // the right-hand side is read or written, residual and solution are read
+    // and written, the diagonal is read
+    constexpr double vectors_of_a_sweep = 6.;
 
     const double pairs    = matrices.node_pairs().n_blocks(),
                  nodes    = matrices.node_pairs().n_rows(),
@@ -67,8 +69,8 @@ namespace Catena
                    system.cells.memory_consumption() + 2. * node_vector * whole,
                  fast_product = system.fast_cells.memory_consumption() +
                                 2. * node_vector * single;
-    const double sweep =
-      pairs * (single + index) + vectors_of_a_sweep * node_vector * single;
+    const double sweep = (pairs - nodes) / 2. * (single + index) +
+                         vectors_of_a_sweep * node_vector * single;
     const double preconditioner = gradient * (3. * single + index) +
                                   mass_sweeps * mass * (whole + index) +
                                   sweeps * sweep;

@@ -351,11 +351,9 @@ namespace Catena
     bool                 finite = true;
     for (const auto i : mesh.owned_scalars())
       {
-        SymmetricTensor<2, dim> s;
-        for (unsigned int k = 0; k < log_conformation.size(); ++k)
-          s.access_raw_entry(k) = log_conformation[k](i);
-        const auto spectrum = spectral_decomposition<dim>(s);
-        double     stretch  = 0.;
+        const auto spectrum =
+          spectral_decomposition<dim>(vertex_tensor<dim>(i, log_conformation));
+        double stretch = 0.;
         for (const double value : spectrum.values)
           {
             finite &= std::isfinite(value);

@@ -40,6 +40,9 @@ namespace Catena
         }
       return result;
     }
+
+
+
     /**
      * Raise the eigenvalues of s at the vertices that are far below those of
      * the field at hand: where it is steep the projection swings, and what is
@@ -54,10 +57,7 @@ namespace Catena
       constexpr double margin   = 0.5;
       const auto       spectrum = [](const std::vector<VectorType> &s,
                                const unsigned int             vertex) {
-        SymmetricTensor<2, dim> tensor;
-        for (unsigned int k = 0; k < s.size(); ++k)
-          tensor.access_raw_entry(k) = s[k](vertex);
-        return spectral_decomposition<dim>(tensor);
+        return spectral_decomposition<dim>(vertex_tensor<dim>(vertex, s));
       };
       for (const auto vertex : mesh.owned_scalars())
         {

@@ -13,8 +13,6 @@ namespace Catena
     /// Number of nodes for which a dense inverse is cheap.
     constexpr unsigned int n_coarsest = 300;
 
-    constexpr double smoothing_range = 8.;
-
     /// of nodes, from one level to the next
     constexpr double worst_reduction = 0.8;
   } // namespace
@@ -34,20 +32,17 @@ namespace Catena
     if (nodes->size() <= n_coarsest)
       {
         inverse = std::make_unique<CoarseInverse>(product, masks, *nodes);
-        reinit(solution, *nodes);
-        reinit(right_hand_side, *nodes);
+        reinit(coarse_solution, *nodes);
+        reinit(coarse_residual, *nodes);
         return;
       }
-    level = std::make_unique<MultigridLevel>(NodeMatrix(product, nodes),
-                                             masks,
-                                             smoothing_range);
-    const SmoothedAggregation aggregation(level->matrix(),
-                                          masks,
-                                          level->largest_eigenvalue());
+    const NodeMatrix coarse_matrix(product, nodes);
+    level = std::make_unique<MultigridLevel>(coarse_matrix, masks);
+    const SmoothedAggregation aggregation(coarse_matrix, masks);
     const unsigned int        n_coarser =
       Utilities::MPI::sum<unsigned int>(aggregation.masks.size(), comm);
     if (n_coarser < worst_reduction * nodes->size())
-      coarser = std::make_unique<CoarseCorrection>(level->matrix(),
+      coarser = std::make_unique<CoarseCorrection>(coarse_matrix,
                                                    aggregation.prolongation,
                                                    aggregation.masks,
                                                    comm);
@@ -56,10 +51,11 @@ namespace Catena
 
 
   void
-  CoarseCorrection::add_to(NodeVector &step, const NodeVector &residual) const
+  CoarseCorrection::correct(NodeVector       &solution,
+                            const NodeVector &residual) const
   {
-    NodeVector &r = level ? level->residual : right_hand_side;
-    NodeVector &x = level ? level->solution : solution;
+    NodeVector &r = level ? level->residual : coarse_residual;
+    NodeVector &x = level ? level->solution : coarse_solution;
 
     r = 0.f;
     prolongation.add_transposed(lanes(r), lanes(residual));
@@ -67,16 +63,15 @@ namespace Catena
     if (level)
       {
         level->smooth_from_zero();
-        level->step = 0.f;
         if (coarser)
-          coarser->add_to(level->step, r);
-        level->smooth_after_step();
+          coarser->correct(x, r);
+        level->smooth_corrected();
       }
     else
       inverse->vmult(x, r);
 
     x.update_ghost_values();
     for (unsigned int i = 0; i < prolongation.n_rows(); ++i)
-      lanes(step)[i] += prolongation.row_times(i, lanes(x));
+      lanes(solution)[i] += prolongation.row_times(i, lanes(x));
   }
 } // namespace Catena

@@ -57,18 +57,41 @@ namespace Catena
                                  node_partitioner.n_ghost_indices();
     for (unsigned int local = 0; local < n_nodes; ++local)
       {
-        const unsigned int       node = node_partitioner.local_to_global(local);
-        const NodeCoupling<dim> &coupling = couplings[node];
-        const auto is_one = [](const double f) { return f == 1.; };
-        if (coupling.master != node || !std::all_of(coupling.factors.begin(),
-                                                    coupling.factors.end(),
-                                                    is_one))
-          coupled_nodes.push_back(
-            {node, local, node_partitioner.global_to_local(coupling.master)});
-        const auto master = mesh.identification().master(node);
+        const unsigned int node   = node_partitioner.local_to_global(local);
+        const auto         master = mesh.identification().master(node);
         if (mesh.is_vertex(node) && master != node)
           identified_vertices.push_back(
             {local, node_partitioner.global_to_local(master)});
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  FlowSystem<dim>::collect_coupled_nodes()
+  {
+    coupled_nodes.clear();
+    node_motions.clear();
+    const unsigned int n_nodes = node_partitioner.locally_owned_size() +
+                                 node_partitioner.n_ghost_indices();
+    const auto is_one = [](const double factor) { return factor == 1.; };
+    for (unsigned int local = 0; local < n_nodes; ++local)
+      {
+        const unsigned int       node = node_partitioner.local_to_global(local);
+        const NodeCoupling<dim> &coupling = couplings[node];
+        if (coupling.master == node && std::all_of(coupling.factors.begin(),
+                                                   coupling.factors.end(),
+                                                   is_one))
+          continue;
+        for (unsigned int d = 0; d < dim; ++d)
+          for (const auto &motion : coupling.motions[d])
+            node_motions.push_back({d, motion.first, motion.second});
+        coupled_nodes.push_back(
+          {local,
+           node_partitioner.global_to_local(coupling.master),
+           coupling.factors,
+           static_cast<unsigned int>(node_motions.size())});
       }
   }
 
@@ -119,16 +142,18 @@ namespace Catena
       values[n * vertex_nodes[v] + dim] = unknowns.pressure.local_element(v);
     field.update_ghost_values();
 
+    auto motion = node_motions.begin();
     for (const CoupledNode &node : coupled_nodes)
       {
-        const NodeCoupling<dim> &coupling = couplings[node.node];
+        std::array<double, dim> value;
         for (unsigned int d = 0; d < dim; ++d)
-          {
-            double value = coupling.factors[d] * values[n * node.master + d];
-            for (const auto &motion : coupling.motions[d])
-              value += motion.second * unknowns.motions[motion.first];
-            values[n * node.local + d] = value;
-          }
+          value[d] = node.factors[d] * values[n * node.master + d];
+        const auto end = node_motions.begin() + node.end_of_motions;
+        for (; motion != end; ++motion)
+          value[motion->component] +=
+            motion->factor * unknowns.motions[motion->unknown];
+        for (unsigned int d = 0; d < dim; ++d)
+          values[n * node.local + d] = value[d];
       }
     for (const IdentifiedVertex &vertex : identified_vertices)
       values[n * vertex.local + dim] = values[n * vertex.master + dim];
@@ -147,16 +172,18 @@ namespace Catena
                                    const Equations<Vector> &equations) const
   {
     Number *const values = field.begin();
+    auto          motion = node_motions.begin();
     for (const CoupledNode &node : coupled_nodes)
       {
-        const NodeCoupling<dim> &coupling = couplings[node.node];
+        const auto end = node_motions.begin() + node.end_of_motions;
+        for (; motion != end; ++motion)
+          equations.motions[motion->unknown] +=
+            motion->factor * values[n * node.local + motion->component];
         for (unsigned int d = 0; d < dim; ++d)
           {
             const double value         = values[n * node.local + d];
             values[n * node.local + d] = 0;
-            values[n * node.master + d] += coupling.factors[d] * value;
-            for (const auto &motion : coupling.motions[d])
-              equations.motions[motion.first] += motion.second * value;
+            values[n * node.master + d] += node.factors[d] * value;
           }
       }
     for (const IdentifiedVertex &vertex : identified_vertices)
@@ -221,8 +248,7 @@ namespace Catena
     for (const CoupledNode &node : coupled_nodes)
       if (node.local < n_owned)
         for (unsigned int d = 0; d < dim; ++d)
-          if (node.master != node.local ||
-              couplings[node.node].factors[d] == 0.)
+          if (node.master != node.local || node.factors[d] == 0.)
             dst.velocity.local_element(dim * node.local + d) =
               src.velocity.local_element(dim * node.local + d);
     for (unsigned int k = 0; k < bodies.n_unknowns(); ++k)
@@ -291,11 +317,15 @@ namespace Catena
   FlowSystem<dim>::set_right_hand_side(NodeField<double> &forces)
   {
     fast_cells.copy(cells);
+    collect_coupled_nodes();
     fields.given = 0.;
     for (const CoupledNode &node : coupled_nodes)
-      for (unsigned int d = 0; d < dim; ++d)
-        fields.given.begin()[n * node.local + d] =
-          -couplings[node.node].known[d];
+      {
+        const NodeCoupling<dim> &coupling =
+          couplings[node_partitioner.local_to_global(node.local)];
+        for (unsigned int d = 0; d < dim; ++d)
+          fields.given.begin()[n * node.local + d] = -coupling.known[d];
+      }
     cells.add_product(forces.begin(), fields.given.begin());
 
     const std::vector<double> at_rest(n_rigid(), 0.);

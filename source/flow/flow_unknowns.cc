@@ -113,8 +113,7 @@ namespace Catena
       {
         const Tensor<1, dim> imposed = imposed_velocity(*this, node);
         for (unsigned int d = 0; d < dim; ++d)
-          if (couplings[node].master == node &&
-              couplings[node].factors[d] != 0.)
+          if (couplings[node].is_unknown(node, d))
             guess.block(0)(dim * node + d) =
               fields.velocity(dim * node + d) - imposed[d];
       }

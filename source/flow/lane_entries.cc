@@ -1,9 +1,5 @@
 #include <catena/flow/lane_entries.h>
 
-#include <algorithm>
-#include <array>
-#include <cstring>
-
 namespace Catena
 {
   LaneEntries::LaneEntries(const NodeMatrix               &shared,
@@ -19,37 +15,41 @@ namespace Catena
           {
             const unsigned int fields =
               node_fields[i] & node_fields[shared.column(k)];
-            std::array<float, n_lanes> differences = {};
+            Lanes differences = {};
             for (const FieldMatrix &other : others)
               for (unsigned int lane = 0; lane < n_lanes; ++lane)
                 if (((other.fields & fields) >> lane) & 1U)
                   differences[lane] = other.matrix.value(k) - shared.value(k);
-            if (std::any_of(differences.begin(),
-                            differences.end(),
-                            [](const float x) { return x != 0.f; }))
-              {
-                columns.push_back(shared.column(k));
-                values.insert(values.end(),
-                              differences.begin(),
-                              differences.end());
-              }
+            bool differs = false;
+            for (unsigned int lane = 0; lane < n_lanes; ++lane)
+              differs = differs || differences[lane] != 0.f;
+            if (differs)
+              add(shared.column(k), differences);
           }
-        if (columns.size() > starts.back())
-          {
-            rows.push_back(i);
-            starts.push_back(columns.size());
-          }
+        end_row(i);
       }
   }
 
 
 
-  Lanes
-  LaneEntries::value(const unsigned int entry) const
+  void
+  LaneEntries::add(const unsigned int column, const Lanes entry)
   {
-    Lanes result;
-    std::memcpy(&result, &values[n_lanes * entry], sizeof(Lanes));
-    return result;
+    columns.push_back(column);
+    for (unsigned int lane = 0; lane < n_lanes; ++lane)
+      values.push_back(entry[lane]);
+  }
+
+
+
+  void
+  LaneEntries::end_row(const unsigned int i)
+  {
+    if (columns.size() > starts.back())
+      {
+        rows.push_back(i);
+        starts.push_back(columns.size());
+      }
   }
 
 
@@ -60,8 +60,7 @@ namespace Catena
                            const Lanes *src) const
   {
     for (unsigned int r = 0; r < rows.size(); ++r)
-      for (unsigned int k = starts[r]; k < starts[r + 1]; ++k)
-        dst[rows[r]] += factor * value(k) * src[columns[k]];
+      dst[rows[r]] += factor * row_times(r, src);
   }
 
 

@@ -27,10 +27,18 @@ namespace Catena
         for (unsigned int k = starts[i]; k < starts[i + 1]; ++k)
           rows.add(nodes->global_to_local(new_rows.columns[k]),
                    new_rows.values[k]);
-        while (rows.columns.size() % stride != 0)
-          rows.add(rows.columns.back(), 0.f);
-        rows.end_row();
+        end_row();
       }
+  }
+
+
+
+  void
+  NodeMatrix::end_row()
+  {
+    while (rows.columns.size() % stride != 0)
+      rows.add(rows.columns.back(), 0.f);
+    rows.end_row();
   }
 
 

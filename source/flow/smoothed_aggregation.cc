@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace Catena
@@ -15,14 +16,65 @@ namespace Catena
     constexpr float strong_coupling = 0.04f;
 
     constexpr unsigned int none = numbers::invalid_unsigned_int;
+
+    constexpr unsigned int n_power_iterations = 20;
+
+
+
+    /**
+     * Of D^-1 A, by power iteration from numbers that follow from those of the
+     * nodes.
+     */
+    double
+    largest_eigenvalue(const NodeMatrix             &matrix,
+                       const std::vector<FieldMask> &masks)
+    {
+      const auto        &nodes = matrix.column_nodes();
+      const unsigned int n     = matrix.n_rows();
+      NodeVector         vector, product;
+      reinit(vector, nodes);
+      reinit(product, nodes);
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const unsigned int node = nodes.local_to_global(i);
+          for (unsigned int lane = 0; lane < n_lanes; ++lane)
+            if ((masks[i] >> lane) & 1U)
+              lanes(vector)[i][lane] =
+                (7919 * node + 104729 * lane) % 1009 / 1009.f - 0.5f;
+        }
+      double eigenvalue = 0.;
+      for (unsigned int iteration = 0; iteration < n_power_iterations;
+           ++iteration)
+        {
+          vector.update_ghost_values();
+          double square = 0.;
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              Lanes value =
+                matrix.row_times(i, lanes(vector)) / matrix.diagonal(i);
+              for (unsigned int lane = 0; lane < n_lanes; ++lane)
+                {
+                  if (!((masks[i] >> lane) & 1U))
+                    value[lane] = 0.f;
+                  square += value[lane] * value[lane];
+                }
+              lanes(product)[i] = value;
+            }
+          eigenvalue = std::sqrt(
+            Utilities::MPI::sum(square, nodes.get_mpi_communicator()));
+          const float scaling = 1. / eigenvalue;
+          for (unsigned int i = 0; i < n; ++i)
+            lanes(vector)[i] = scaling * lanes(product)[i];
+        }
+      return eigenvalue;
+    }
   } // namespace
 
 
 
   SmoothedAggregation::SmoothedAggregation(
     const NodeMatrix             &matrix,
-    const std::vector<FieldMask> &node_masks,
-    const double                  largest_eigenvalue)
+    const std::vector<FieldMask> &node_masks)
   {
     const auto               &nodes      = matrix.column_nodes();
     const MPI_Comm            comm       = nodes.get_mpi_communicator();
@@ -44,7 +96,7 @@ namespace Catena
       all |= mask;
     all = Utilities::MPI::max(static_cast<unsigned int>(all), comm);
 
-    const float omega = 4. / (3. * largest_eigenvalue);
+    const float omega = 4. / (3. * largest_eigenvalue(matrix, node_masks));
     std::vector<std::pair<unsigned int, float>> row;
     for (unsigned int i = 0; i < matrix.n_rows(); ++i)
       {

@@ -7,8 +7,6 @@ namespace Catena
 
   namespace
   {
-    constexpr double smoothing_range = 10.;
-
     /// The rows of this rank in single precision.
     SparseRows
     owned_rows(const BlockPattern &pattern, const std::vector<float> &entries)
@@ -44,7 +42,7 @@ namespace Catena
       owned_rows(matrices.node_pairs(),
                  matrices.component_matrices.front().entries);
     const auto nodes = make_nodes(shared_rows.size(), {&shared_rows}, comm);
-    NodeMatrix shared(std::move(shared_rows), nodes);
+    const NodeMatrix shared(std::move(shared_rows), nodes);
 
     std::vector<FieldMask>                masks(shared.n_rows(), 0);
     std::vector<LaneEntries::FieldMatrix> others;
@@ -76,11 +74,10 @@ namespace Catena
                       nodes)});
         add_correction(others.back().matrix);
       }
-    LaneEntries differences(shared, others, masks);
-    finest = std::make_unique<MultigridLevel>(std::move(shared),
-                                              masks,
-                                              smoothing_range,
-                                              std::move(differences));
+    finest =
+      std::make_unique<MultigridLevel>(shared,
+                                       masks,
+                                       LaneEntries(shared, others, masks));
   }
 
 
@@ -90,17 +87,16 @@ namespace Catena
   VelocityMultigrid<dim>::vmult(FastVectorType       &dst,
                                 const FastVectorType &src) const
   {
-    const unsigned int n    = finest->matrix().n_rows();
+    const unsigned int n    = finest->n_nodes();
     const float *const from = src.begin();
     float *const       to   = dst.begin();
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int d = 0; d < dim; ++d)
         finest->residual.local_element(n_lanes * i + d) = from[dim * i + d];
     finest->smooth_from_zero();
-    finest->step = 0.f;
     for (const CoarseCorrection &correction : corrections)
-      correction.add_to(finest->step, finest->residual);
-    finest->smooth_after_step();
+      correction.correct(finest->solution, finest->residual);
+    finest->smooth_corrected();
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int d = 0; d < dim; ++d)
         to[dim * i + d] = finest->solution.local_element(n_lanes * i + d);

@@ -18,8 +18,7 @@ namespace Catena
       {
         FieldMask mask = 0;
         for (const unsigned int component : components)
-          if (couplings[node].master == node &&
-              couplings[node].factors[component] != 0.)
+          if (couplings[node].is_unknown(node, component))
             mask |= 1U << component;
         node_masks.push_back(mask);
         if (mask != 0 && mesh.is_vertex(node))

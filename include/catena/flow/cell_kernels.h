@@ -21,17 +21,9 @@ namespace Catena
    */
   namespace CellKernels
   {
-    /// Gradients of the P2 and values of the P1 shape functions at one point of
-    /// the reference cell.
+    /// The points of a quadrature rule by their barycentric coordinates.
     template <int dim, typename Number>
-    struct ReferencePoint
-    {
-      std::array<std::array<Number, dim>, n_quadratic_nodes(dim)> gradients;
-      std::array<Number, n_linear_nodes(dim)>                     linear;
-    };
-
-    template <int dim, typename Number>
-    using ReferenceRule = std::vector<ReferencePoint<dim, Number>>;
+    using ReferenceRule = std::vector<std::array<Number, n_linear_nodes(dim)>>;
 
     template <int dim, typename Number>
     ReferenceRule<dim, Number>
@@ -40,14 +32,9 @@ namespace Catena
       ReferenceRule<dim, Number> points;
       for (const dealii::Point<dim> &x : quadrature.get_points())
         {
-          ReferencePoint<dim, Number> point;
-          const auto gradients = quadratic_shape_gradients<dim>(x);
-          const auto lambda    = barycentric_coordinates<dim>(x);
-          for (unsigned int a = 0; a < point.gradients.size(); ++a)
-            for (unsigned int d = 0; d < dim; ++d)
-              point.gradients[a][d] = gradients[a][d];
-          std::copy(lambda.begin(), lambda.end(), point.linear.begin());
-          points.push_back(point);
+          const auto lambda = barycentric_coordinates<dim>(x);
+          points.emplace_back();
+          std::copy(lambda.begin(), lambda.end(), points.back().begin());
         }
       return points;
     }
@@ -108,52 +95,101 @@ namespace Catena
 
 
 
+    /// The numbers of a node, wherever they are.
+    template <typename Number>
+    using AtNode __attribute__((vector_size(n_node_numbers * sizeof(Number)),
+                                aligned(sizeof(Number)),
+                                may_alias)) = Number;
+
+    /// The numbers of as many nodes as there are of each, number by number, and
+    /// back.
+    template <typename Number>
+    inline DEAL_II_ALWAYS_INLINE void
+    transpose(AtNode<Number> (&v)[n_node_numbers])
+    {
+      static_assert(n_node_numbers == 4);
+      const AtNode<Number> low_01 =
+                             __builtin_shufflevector(v[0], v[1], 0, 4, 1, 5),
+                           high_01 =
+                             __builtin_shufflevector(v[0], v[1], 2, 6, 3, 7),
+                           low_23 =
+                             __builtin_shufflevector(v[2], v[3], 0, 4, 1, 5),
+                           high_23 =
+                             __builtin_shufflevector(v[2], v[3], 2, 6, 3, 7);
+      v[0] = __builtin_shufflevector(low_01, low_23, 0, 1, 4, 5);
+      v[1] = __builtin_shufflevector(low_01, low_23, 2, 3, 6, 7);
+      v[2] = __builtin_shufflevector(high_01, high_23, 0, 1, 4, 5);
+      v[3] = __builtin_shufflevector(high_01, high_23, 2, 3, 6, 7);
+    }
+
+
+
     /// By node, what the cells of a batch are given or add.
     template <int dim, typename Number>
-    struct NodePacks
+    class NodePacks
     {
-      static constexpr unsigned int n_nodes = n_quadratic_nodes(dim),
-                                    width   = cells_at_once;
-      using Pack                            = CellPack<dim, Number>;
-      using AtNode                          = std::experimental::simd<
-        Number,
-        std::experimental::simd_abi::deduce_t<Number, int(n_node_numbers)>>;
+    public:
+      using Pack = CellPack<dim, Number>;
 
-      std::array<std::array<Pack, n_node_numbers>, n_nodes> values;
+      Pack
+      get(const unsigned int node, const unsigned int number) const
+      {
+        return Pack(numbers[node][number], std::experimental::vector_aligned);
+      }
+
+      void
+      set(const unsigned int node, const unsigned int number, const Pack &pack)
+      {
+        pack.copy_to(numbers[node][number], std::experimental::vector_aligned);
+      }
 
       void
       gather(const unsigned int *nodes, const Number *src)
       {
-        alignas(std::experimental::memory_alignment_v<Pack>)
-          Number buffer[n_node_numbers][width];
-        for (unsigned int a = 0; a < n_nodes; ++a, nodes += width)
-          {
-            for (unsigned int cell = 0; cell < width; ++cell)
-              for (unsigned int c = 0; c < n_node_numbers; ++c)
-                buffer[c][cell] = src[n_node_numbers * nodes[cell] + c];
-            for (unsigned int c = 0; c < n_node_numbers; ++c)
-              values[a][c] = Pack(buffer[c], std::experimental::vector_aligned);
-          }
+        for (auto &packs : numbers)
+          for (unsigned int cell = 0; cell < cells_at_once; cell += n)
+            {
+              AtNode<Number> block[n];
+              for (unsigned int k = 0; k < n; ++k)
+                block[k] = at(src + n * *nodes++);
+              transpose<Number>(block);
+              for (unsigned int k = 0; k < n; ++k)
+                at(packs[k] + cell) = block[k];
+            }
       }
 
       void
       scatter(const unsigned int *nodes, Number *dst) const
       {
-        alignas(std::experimental::memory_alignment_v<Pack>)
-          Number buffer[n_node_numbers][width];
-        for (unsigned int a = 0; a < n_nodes; ++a, nodes += width)
-          {
-            for (unsigned int c = 0; c < n_node_numbers; ++c)
-              values[a][c].copy_to(buffer[c],
-                                   std::experimental::vector_aligned);
-            for (unsigned int cell = 0; cell < width; ++cell)
-              {
-                Number *const node = dst + n_node_numbers * nodes[cell];
-                AtNode        sums(node, std::experimental::element_aligned);
-                sums += AtNode([&](const auto c) { return buffer[c][cell]; });
-                sums.copy_to(node, std::experimental::element_aligned);
-              }
-          }
+        for (const auto &packs : numbers)
+          for (unsigned int cell = 0; cell < cells_at_once; cell += n)
+            {
+              AtNode<Number> block[n];
+              for (unsigned int k = 0; k < n; ++k)
+                block[k] = at(packs[k] + cell);
+              transpose<Number>(block);
+              for (unsigned int k = 0; k < n; ++k)
+                at(dst + n * *nodes++) += block[k];
+            }
+      }
+
+    private:
+      static constexpr unsigned int n = n_node_numbers;
+      static_assert(cells_at_once % n == 0);
+
+      alignas(std::experimental::memory_alignment_v<Pack>)
+        Number numbers[n_quadratic_nodes(dim)][n][cells_at_once];
+
+      static AtNode<Number> &
+      at(Number *numbers)
+      {
+        return *reinterpret_cast<AtNode<Number> *>(numbers);
+      }
+
+      static const AtNode<Number> &
+      at(const Number *numbers)
+      {
+        return *reinterpret_cast<const AtNode<Number> *>(numbers);
       }
     };
 
@@ -165,25 +201,102 @@ namespace Catena
 
 
 
-    /// Gradient of the velocity.
+    /// By vertex, component and coordinate of the reference cell: derivatives
+    /// of P2 functions, which are linear between the vertices.
+    template <int dim, typename Number>
+    using VertexGradients =
+      std::array<TensorPacks<dim, Number>, n_linear_nodes(dim)>;
+
+
+
+    /// The nodes at the vertices, and on the edges between two of them.
+    template <int dim>
+    constexpr std::array<std::array<unsigned int, dim + 1>, dim + 1>
+    nodes_between_vertices()
+    {
+      std::array<std::array<unsigned int, dim + 1>, dim + 1> nodes = {};
+      for (unsigned int v = 0; v <= dim; ++v)
+        nodes[v][v] = v;
+      for (unsigned int node = dim + 1; node < n_quadratic_nodes(dim); ++node)
+        {
+          const auto ends         = simplex_edge(node - dim - 1);
+          nodes[ends[0]][ends[1]] = nodes[ends[1]][ends[0]] = node;
+        }
+      return nodes;
+    }
+
+
+
+    /// Gradients of the velocity: in barycentric coordinates L the derivative
+    /// by L_k at the vertex v is 4 u_kv - u_k, with u_vv = u_v.
+    template <int dim, typename Number>
+    inline DEAL_II_ALWAYS_INLINE VertexGradients<dim, Number>
+    vertex_gradients(const NodePacks<dim, Number> &x)
+    {
+      constexpr auto               between = nodes_between_vertices<dim>();
+      VertexGradients<dim, Number> gradients;
+      for (unsigned int v = 0; v <= dim; ++v)
+        for (unsigned int i = 0; i < dim; ++i)
+          {
+            std::array<CellPack<dim, Number>, dim + 1> slopes;
+            for (unsigned int k = 0; k <= dim; ++k)
+              slopes[k] = Number(4) * x.get(between[k][v], i) - x.get(k, i);
+            for (unsigned int d = 0; d < dim; ++d)
+              gradients[v][i][d] = slopes[d + 1] - slopes[0];
+          }
+      return gradients;
+    }
+
+
+
+    /// The transpose of vertex_gradients(): the forces at the nodes.
+    template <int dim, typename Number>
+    inline DEAL_II_ALWAYS_INLINE void
+    set_forces(NodePacks<dim, Number>             &y,
+               const VertexGradients<dim, Number> &fluxes)
+    {
+      constexpr auto between = nodes_between_vertices<dim>();
+      using Pack             = CellPack<dim, Number>;
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          std::array<Pack, n_quadratic_nodes(dim)> forces = {};
+          for (unsigned int v = 0; v <= dim; ++v)
+            for (unsigned int k = 0; k <= dim; ++k)
+              {
+                Pack slope(0);
+                if (k > 0)
+                  slope = fluxes[v][i][k - 1];
+                else
+                  for (unsigned int d = 0; d < dim; ++d)
+                    slope -= fluxes[v][i][d];
+                forces[between[k][v]] += Number(4) * slope;
+                forces[k] -= slope;
+              }
+          for (unsigned int node = 0; node < forces.size(); ++node)
+            y.set(node, i, forces[node]);
+        }
+    }
+
+
+
+    /// Gradient of the velocity at a point.
     /// @param J rows: gradients of the coordinates of the reference cell
     template <int dim, typename Number>
     inline DEAL_II_ALWAYS_INLINE TensorPacks<dim, Number>
-    velocity_gradient(const ReferencePoint<dim, Number> &point,
-                      const TensorPacks<dim, Number>    &J,
-                      const NodePacks<dim, Number>      &x)
+    velocity_gradient(const std::array<Number, n_linear_nodes(dim)> &lambda,
+                      const TensorPacks<dim, Number>                &J,
+                      const VertexGradients<dim, Number>            &gradients)
     {
       TensorPacks<dim, Number> L = {};
       for (unsigned int i = 0; i < dim; ++i)
-        {
-          std::array<CellPack<dim, Number>, dim> slope = {};
-          for (unsigned int a = 0; a < n_quadratic_nodes(dim); ++a)
-            for (unsigned int d = 0; d < dim; ++d)
-              slope[d] += point.gradients[a][d] * x.values[a][i];
-          for (unsigned int j = 0; j < dim; ++j)
-            for (unsigned int d = 0; d < dim; ++d)
-              L[i][j] += slope[d] * J[d][j];
-        }
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            CellPack<dim, Number> slope(0);
+            for (unsigned int v = 0; v <= dim; ++v)
+              slope += lambda[v] * gradients[v][i][d];
+            for (unsigned int j = 0; j < dim; ++j)
+              L[i][j] += slope * J[d][j];
+          }
       return L;
     }
 
@@ -230,24 +343,23 @@ namespace Catena
 
 
 
-    /// Add stress : grad v.
+    /// Add stress : grad v of a point, with grad v from those at the vertices.
     template <int dim, typename Number>
     inline DEAL_II_ALWAYS_INLINE void
-    add_forces(NodePacks<dim, Number>            &y,
-               const TensorPacks<dim, Number>    &stress,
-               const ReferencePoint<dim, Number> &point,
-               const TensorPacks<dim, Number>    &J)
+    add_fluxes(VertexGradients<dim, Number>                  &fluxes,
+               const TensorPacks<dim, Number>                &stress,
+               const std::array<Number, n_linear_nodes(dim)> &lambda,
+               const TensorPacks<dim, Number>                &J)
     {
       for (unsigned int i = 0; i < dim; ++i)
-        {
-          std::array<CellPack<dim, Number>, dim> flux = {};
-          for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            CellPack<dim, Number> flux(0);
             for (unsigned int j = 0; j < dim; ++j)
-              flux[d] += stress[i][j] * J[d][j];
-          for (unsigned int a = 0; a < n_quadratic_nodes(dim); ++a)
-            for (unsigned int d = 0; d < dim; ++d)
-              y.values[a][i] += point.gradients[a][d] * flux[d];
-        }
+              flux += stress[i][j] * J[d][j];
+            for (unsigned int v = 0; v <= dim; ++v)
+              fluxes[v][i][d] += lambda[v] * flux;
+          }
     }
 
 
@@ -264,8 +376,6 @@ namespace Catena
               NodePacks<dim, Number>           &y)
     {
       using Pack = CellPack<dim, Number>;
-      for (auto &node : y.values)
-        node.fill(Pack(0));
 
       TensorPacks<dim, Number> J             = {};
       const auto               load_jacobian = [&]() {
@@ -275,13 +385,16 @@ namespace Catena
       };
       if (!curved)
         load_jacobian();
-      for (const auto &point : rule)
+      const auto                   gradients = vertex_gradients<dim, Number>(x);
+      VertexGradients<dim, Number> fluxes    = {};
+      std::array<Pack, n_linear_nodes(dim)> divergences = {};
+      for (const auto &lambda : rule)
         {
           if (curved)
             load_jacobian();
           const Pack                        JxW = load<dim>(numbers);
           const SymmetricPacks<dim, Number> H(numbers);
-          const auto L      = velocity_gradient<dim, Number>(point, J, x);
+          const auto L = velocity_gradient<dim, Number>(lambda, J, gradients);
           auto       stress = viscous_stress<dim, Number, transposed>(L, H);
           if (with_tangents)
             {
@@ -292,16 +405,25 @@ namespace Catena
 
           Pack pressure(0), divergence(0);
           for (unsigned int v = 0; v < n_linear_nodes(dim); ++v)
-            pressure += point.linear[v] * x.values[v][dim];
+            pressure += lambda[v] * x.get(v, dim);
           for (unsigned int i = 0; i < dim; ++i)
             {
               stress[i][i] -= JxW * pressure;
               divergence += JxW * L[i][i];
             }
           for (unsigned int v = 0; v < n_linear_nodes(dim); ++v)
-            y.values[v][dim] -= point.linear[v] * divergence;
-          add_forces<dim, Number>(y, stress, point, J);
+            divergences[v] += lambda[v] * divergence;
+          add_fluxes<dim, Number>(fluxes, stress, lambda, J);
         }
+
+      set_forces<dim, Number>(y, fluxes);
+      for (unsigned int node = 0; node < n_quadratic_nodes(dim); ++node)
+        for (unsigned int number = dim; number < n_node_numbers; ++number)
+          y.set(node,
+                number,
+                number == dim && node < n_linear_nodes(dim) ?
+                  -divergences[node] :
+                  Pack(0));
     }
   } // namespace CellKernels
 } // namespace Catena

@@ -31,9 +31,9 @@ namespace Catena
                      const std::vector<FieldMask> &masks,
                      const MPI_Comm                communicator);
 
-    /// step += P C P^T residual
+    /// solution += P C P^T residual
     void
-    add_to(NodeVector &step, const NodeVector &residual) const;
+    correct(NodeVector &solution, const NodeVector &residual) const;
 
   private:
     NodeMatrix                        prolongation;
@@ -41,7 +41,7 @@ namespace Catena
     std::unique_ptr<CoarseCorrection> coarser;
     /// in place of a level and what is coarser
     std::unique_ptr<CoarseInverse> inverse;
-    mutable NodeVector             solution, right_hand_side;
+    mutable NodeVector             coarse_solution, coarse_residual;
   };
 } // namespace Catena
 

@@ -10,6 +10,7 @@
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/partitioner.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -53,7 +54,8 @@ namespace Catena
     /**
      * Valid as long as the mesh and which unknowns are constrained do not
      * change.
-     * @param couplings kept by reference: products follow them
+     * @param couplings kept by reference; products follow them as they are at
+     * set_right_hand_side()
      */
     FlowSystem(const MovingMesh<dim>                &mesh,
                const RigidBodies<dim>               &bodies,
@@ -138,10 +140,21 @@ namespace Catena
     rounding(const VectorType &velocity) const;
 
   private:
-    /// A node whose velocity is not simply an unknown, by local number, too.
+    /// A node whose velocity is not simply an unknown: what NodeCoupling tells
+    /// of it, by local numbers and without what is known. Its motions are those
+    /// from the end of the node before.
     struct CoupledNode
     {
-      unsigned int node, local, master;
+      unsigned int            local, master;
+      std::array<double, dim> factors;
+      unsigned int            end_of_motions;
+    };
+
+    /// Share of a rigid-body unknown in a component of the velocity of a node.
+    struct NodeMotion
+    {
+      unsigned int component, unknown;
+      double       factor;
     };
 
     /// A vertex whose pressure is that of another, by their local nodes.
@@ -166,6 +179,7 @@ namespace Catena
     /// local nodes of the owned vertices
     std::vector<unsigned int>     vertex_nodes;
     std::vector<CoupledNode>      coupled_nodes;
+    std::vector<NodeMotion>       node_motions;
     std::vector<IdentifiedVertex> identified_vertices;
 
     mutable NodeFields<double> fields;
@@ -173,6 +187,9 @@ namespace Catena
 
     dealii::IndexSet
     nodes_of_owned_cells() const;
+
+    void
+    collect_coupled_nodes();
 
     template <typename Number, typename Vector>
     void

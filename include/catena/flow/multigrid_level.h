@@ -3,78 +3,75 @@
 
 #include <catena/flow/lane_entries.h>
 #include <catena/flow/node_matrix.h>
-#include <catena/flow/smoothed_aggregation.h>
 
 #include <vector>
 
 namespace Catena
 {
   /**
-   * A level of VelocityMultigrid: the operator A, and a smoother, two steps of
-   * Chebyshev's iteration preconditioned by the diagonal D,
+   * A level of VelocityMultigrid: the operator A = L + D + L^T, symmetric, with
+   * L below the diagonal, and a smoother, a sweep of Gauss and Seidel before
+   * the correction of the coarser levels and one in the opposite order after
+   * it,
    *
-   *   d_1 = D^-1 r / t,   d_2 = c_1 d_1 + c_2 D^-1 r,   x += d_1 + d_2,
+   *   (D + L) x = b                          from x = 0,
+   *   (D + L^T) (x_new - x) = b - A x.
    *
-   * with coefficients for the eigenvalues of D^-1 A between
-   * lambda_max / smoothing_range and 1.2 lambda_max. Besides a step d only the
-   * residual is kept up to date, so that each step is one sweep over A.
+   * Only L is kept, and a sweep reads it once: by its rows it gathers what
+   * unknowns take from those before them, and by its columns, the rows of L^T,
+   * it adds to the residuals of those before.
+   *
+   * Unknowns of other ranks are what they were before the sweep. In D their
+   * couplings are added without their signs: so the smoother converges on any
+   * number of ranks (Baker, Falgout, Kolev and Yang, SIAM J. Sci. Comput. 33,
+   * 2011, 2864-2887).
    */
   class MultigridLevel
   {
   public:
     /**
+     * @param matrix A, of which a copy of what is needed is kept
      * @param masks which fields have an unknown, by node of this rank
      * @param extra what A has more than @p matrix for some of the fields
      */
-    MultigridLevel(NodeMatrix                    matrix,
+    MultigridLevel(const NodeMatrix             &matrix,
                    const std::vector<FieldMask> &masks,
-                   const double                  smoothing_range,
-                   LaneEntries                   extra = {});
+                   const LaneEntries            &extra = {});
 
-    const NodeMatrix &
-    matrix() const
+    unsigned int
+    n_nodes() const
     {
-      return level_matrix;
+      return lower.n_rows();
     }
 
-    double
-    largest_eigenvalue() const
-    {
-      return eigenvalue;
-    }
-
-    /// x from zero for the right-hand side in the residual, which becomes that
-    /// of x.
+    /// x from zero for the right-hand side b in the residual, which becomes
+    /// that of x.
     void
     smooth_from_zero() const;
 
-    /// Smooth x after the step is added to it.
+    /// Smooth x, which is that of smooth_from_zero() with a correction.
     void
-    smooth_after_step() const;
+    smooth_corrected() const;
 
-    /// x, b - A x, and a correction of x.
-    mutable NodeVector solution, residual, step;
+    /// x and b - A x.
+    mutable NodeVector solution, residual;
 
   private:
-    NodeMatrix         level_matrix;
-    LaneEntries        extra_entries;
+    NodeMatrix         lower, of_other_ranks;
+    LaneEntries        extra_lower, extra_of_other_ranks;
     NodeVector         inverse_diagonal;
-    mutable NodeVector next_step;
-    double             eigenvalue = 0.;
+    mutable NodeVector right_hand_side;
 
-    /// 1 / t, c_1, c_2
-    float first_weight, step_weight, residual_weight;
-
+    /// residual -= (A - D - L - L^T) x: what a sweep does not solve for, the
+    /// part of x that other ranks have and what D has in place of it.
     void
-    estimate_eigenvalue();
+    subtract_other_ranks() const;
 
-    /// residual -= A step; then what is to be done at a node with its residual
-    template <typename Function>
+    /// Solve equation i for x_i, with the residual of what comes later, and
+    /// take it from the residuals of what comes before.
+    /// @param extra row of extra_lower, if it is that of i
     void
-    take_step(const Function &at_node) const;
-
-    void
-    second_step() const;
+    relax(const unsigned int i, const unsigned int extra) const;
   };
 } // namespace Catena
 

@@ -37,6 +37,14 @@ namespace Catena
       return false;
     }
 
+    /// Whether component @p d of @p node, which this is of, is an unknown
+    /// itself.
+    bool
+    is_unknown(const unsigned int node, const unsigned int d) const
+    {
+      return master == node && factors[d] != 0.;
+    }
+
     /// The factor that @p components share where they have an unknown, 0 if
     /// none of them has one.
     double

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/partitioner.h>
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -138,6 +139,33 @@ namespace Catena
       return rows.values[entry];
     }
 
+    /// The entries whose @p predicate, of row and column, is true.
+    template <typename Predicate>
+    NodeMatrix
+    select(const Predicate &predicate) const
+    {
+      NodeMatrix selected;
+      selected.nodes = nodes;
+      for (unsigned int i = 0; i < n_rows(); ++i)
+        {
+          for (unsigned int k = rows.starts[i]; k < rows.starts[i + 1]; ++k)
+            if (rows.values[k] != 0.f && predicate(i, rows.columns[k]))
+              selected.rows.add(rows.columns[k], rows.values[k]);
+          selected.end_row();
+        }
+      return selected;
+    }
+
+    /// Sum of |a_ij| over the columns j.
+    float
+    sum_of_moduli(const unsigned int i) const
+    {
+      float sum = 0.f;
+      for (unsigned int k = rows.starts[i]; k < rows.starts[i + 1]; ++k)
+        sum += std::abs(rows.values[k]);
+      return sum;
+    }
+
     /// Entry (i,i) of a matrix whose rows and columns are the same nodes.
     float
     diagonal(const unsigned int i) const;
@@ -161,13 +189,23 @@ namespace Catena
       return (sum + sum_1) + (sum_2 + sum_3);
     }
 
+    /// dst += A^T src, of row @p i alone.
+    void
+    add_transposed_row(const unsigned int i, const Lanes src, Lanes *dst) const
+    {
+      const unsigned int       *column = rows.columns.data() + rows.starts[i];
+      const float              *value  = rows.values.data() + rows.starts[i];
+      const unsigned int *const end = rows.columns.data() + rows.starts[i + 1];
+      for (; column != end; ++column, ++value)
+        dst[*column] += *value * src;
+    }
+
     /// dst += A^T src, where the sums of ghosts are left to be compressed.
     void
     add_transposed(Lanes *dst, const Lanes *src) const
     {
       for (unsigned int i = 0; i < n_rows(); ++i)
-        for (unsigned int k = rows.starts[i]; k < rows.starts[i + 1]; ++k)
-          dst[rows.columns[k]] += rows.values[k] * src[i];
+        add_transposed_row(i, src[i], dst);
     }
 
   private:
@@ -175,6 +213,10 @@ namespace Catena
 
     SparseRows                         rows;
     std::shared_ptr<const Partitioner> nodes;
+
+    /// With zeros up to a multiple of the stride.
+    void
+    end_row();
   };
 
 

@@ -34,11 +34,9 @@ namespace Catena
     /**
      * @param matrix operator A of a level
      * @param masks of this rank's nodes
-     * @param largest_eigenvalue of D^-1 A
      */
     SmoothedAggregation(const NodeMatrix             &matrix,
-                        const std::vector<FieldMask> &masks,
-                        const double                  largest_eigenvalue);
+                        const std::vector<FieldMask> &masks);
 
     /// The rows of P of this rank's nodes.
     SparseRows prolongation;

@@ -26,9 +26,23 @@ namespace Catena
 
 
   /**
-   * Values of a symmetric tensor field at the vertices of a cell.
+   * Value of a symmetric tensor field at a vertex.
    * @param components in the order of deal.II's SymmetricTensor
    */
+  template <int dim>
+  dealii::SymmetricTensor<2, dim>
+  vertex_tensor(const unsigned int             vertex,
+                const std::vector<VectorType> &components)
+  {
+    dealii::SymmetricTensor<2, dim> tensor;
+    for (unsigned int k = 0; k < components.size(); ++k)
+      tensor.access_raw_entry(k) = components[k](vertex);
+    return tensor;
+  }
+
+
+
+  /// Its values at the vertices of a cell.
   template <int dim>
   std::array<dealii::SymmetricTensor<2, dim>, n_linear_nodes(dim)>
   vertex_tensors(const typename MovingMesh<dim>::Cell &cell,
@@ -36,8 +50,7 @@ namespace Catena
   {
     std::array<dealii::SymmetricTensor<2, dim>, n_linear_nodes(dim)> tensors;
     for (unsigned int v = 0; v < tensors.size(); ++v)
-      for (unsigned int k = 0; k < components.size(); ++k)
-        tensors[v].access_raw_entry(k) = components[k](cell.vertices[v]);
+      tensors[v] = vertex_tensor<dim>(cell.vertices[v], components);
     return tensors;
   }
 
