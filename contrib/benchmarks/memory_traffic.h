@@ -39,10 +39,10 @@ namespace Catena
    * Bytes that FlowSolver has to move for a solution: what it knows of the
    * cells and the vector of the nodes for each product, every entry and every
    * index of the matrices of the preconditioner once for each product and each
-   * sweep over them, of the operator of the velocity those below the diagonal,
-   * with the vectors of the sweep, and the basis of GMRES twice for each of its
-   * vectors. What the coarser levels of the multigrid and
-   * the other vectors take is left out.
+   * sweep over them (those below the diagonal of the velocity's operator), with
+   * the vectors of the sweep, and the basis of GMRES twice for each of its
+   * vectors. What the coarser levels of the multigrid and the other vectors
+   * take is left out.
    */
   inline double
   bytes_of_a_solution(const FlowSystem<3>             &system,

@@ -50,8 +50,7 @@ public:
     for (const int node : nodes)
       {
         for (unsigned int d = 0; d < 3; ++d)
-          if (couplings[node].master == static_cast<unsigned int>(node) &&
-              couplings[node].factors[d] != 0.)
+          if (couplings[node].is_unknown(node, d))
             velocity_places[3 * node + d] = n_places++;
         if (!pressures_last)
           add_pressure(node);

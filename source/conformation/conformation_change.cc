@@ -23,13 +23,9 @@ namespace Catena
     std::vector<double> stretch(n, 0.), change(n, 0.);
     for (const auto i : mesh.relevant_scalars())
       {
-        SymmetricTensor<2, dim> tensor, difference;
-        for (unsigned int k = 0; k < s.size(); ++k)
-          {
-            tensor.access_raw_entry(k)     = s[k](i);
-            difference.access_raw_entry(k) = s[k](i) - s_hat[k](i);
-          }
-        change[i] = difference * difference;
+        const auto tensor     = vertex_tensor<dim>(i, s);
+        const auto difference = tensor - vertex_tensor<dim>(i, s_hat);
+        change[i]             = difference * difference;
         // not a number would hide behind comparisons
         if (!std::isfinite(change[i]))
           change[i] = std::numeric_limits<double>::infinity();

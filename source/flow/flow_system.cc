@@ -73,6 +73,7 @@ namespace Catena
   {
     coupled_nodes.clear();
     node_motions.clear();
+    has_coupled_nodes          = true;
     const unsigned int n_nodes = node_partitioner.locally_owned_size() +
                                  node_partitioner.n_ghost_indices();
     const auto is_one = [](const double factor) { return factor == 1.; };
@@ -269,6 +270,7 @@ namespace Catena
                             const Unknowns<Vector>  &src,
                             const AddCells          &add_cells) const
   {
+    Assert(has_coupled_nodes, ExcNotInitialized());
     give_nodes(fields.given, src);
     fields.sums = 0.;
     add_cells(fields.sums.begin(), fields.given.begin());

@@ -1,5 +1,7 @@
 #include <catena/flow/lane_entries.h>
 
+#include <cmath>
+
 namespace Catena
 {
   LaneEntries::LaneEntries(const NodeMatrix               &shared,
@@ -61,6 +63,17 @@ namespace Catena
   {
     for (unsigned int r = 0; r < rows.size(); ++r)
       dst[rows[r]] += factor * row_times(r, src);
+  }
+
+
+
+  void
+  LaneEntries::add_sums_of_moduli(Lanes *dst) const
+  {
+    for (unsigned int r = 0; r < rows.size(); ++r)
+      for (unsigned int k = starts[r]; k < starts[r + 1]; ++k)
+        for (unsigned int lane = 0; lane < n_lanes; ++lane)
+          dst[rows[r]][lane] += std::abs(value(k)[lane]);
   }
 
 

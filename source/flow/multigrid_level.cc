@@ -20,12 +20,20 @@ namespace Catena
     extra_lower          = extra.select(is_lower);
     extra_of_other_ranks = extra.select(is_of_other_rank);
 
-    for (NodeVector *vector :
-         {&solution, &residual, &right_hand_side, &inverse_diagonal})
+    for (NodeVector *vector : {&solution,
+                               &residual,
+                               &right_hand_side,
+                               &added_diagonal,
+                               &inverse_diagonal})
       reinit(*vector, matrix.column_nodes());
+    Lanes *const added = lanes(added_diagonal);
+    for (unsigned int i = 0; i < n; ++i)
+      added[i] = Lanes{} + of_other_ranks.sum_of_moduli(i);
+    extra_of_other_ranks.add_sums_of_moduli(added);
+
     Lanes *const D = lanes(inverse_diagonal);
     for (unsigned int i = 0; i < n; ++i)
-      D[i] = Lanes{} + (matrix.diagonal(i) + of_other_ranks.sum_of_moduli(i));
+      D[i] = matrix.diagonal(i) + added[i];
     extra.add_diagonal(D);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int lane = 0; lane < n_lanes; ++lane)
@@ -40,28 +48,29 @@ namespace Catena
     if (of_other_ranks.column_nodes().n_mpi_processes() == 1)
       return;
     solution.update_ghost_values();
-    const Lanes *const x = lanes(solution);
+    const Lanes *const x = lanes(solution), *const added =
+                                              lanes(added_diagonal);
+    Lanes *const r = lanes(residual);
     for (unsigned int i = 0; i < n_nodes(); ++i)
-      lanes(residual)[i] +=
-        of_other_ranks.sum_of_moduli(i) * x[i] - of_other_ranks.row_times(i, x);
-    extra_of_other_ranks.add_product(lanes(residual), -1.f, x);
+      r[i] += added[i] * x[i] - of_other_ranks.row_times(i, x);
+    extra_of_other_ranks.add_product(r, -1.f, x);
   }
 
 
 
   inline void
-  MultigridLevel::relax(const unsigned int i, const unsigned int extra) const
+  MultigridLevel::relax(const unsigned int i,
+                        const unsigned int extra_row) const
   {
     Lanes *const x = lanes(solution), *const r = lanes(residual);
-    const bool has_extra =
-      extra < extra_lower.n_rows() && extra_lower.row(extra) == i;
-    Lanes rest = r[i] - lower.row_times(i, x);
-    if (has_extra)
-      rest -= extra_lower.row_times(extra, x);
+    const bool has_more = has_extra(i, extra_row);
+    Lanes      rest     = r[i] - lower.row_times(i, x);
+    if (has_more)
+      rest -= extra_lower.row_times(extra_row, x);
     x[i] = lanes(inverse_diagonal)[i] * rest;
     lower.add_transposed_row(i, -x[i], r);
-    if (has_extra)
-      extra_lower.add_transposed_row(extra, -x[i], r);
+    if (has_more)
+      extra_lower.add_transposed_row(extra_row, -x[i], r);
   }
 
 
@@ -70,14 +79,14 @@ namespace Catena
   MultigridLevel::smooth_from_zero() const
   {
     Lanes *const r = lanes(residual), *const b = lanes(right_hand_side);
-    unsigned int extra = 0;
+    unsigned int extra_row = 0;
     for (unsigned int i = 0; i < n_nodes(); ++i)
       {
         b[i] = r[i];
-        relax(i, extra);
+        relax(i, extra_row);
         r[i] = Lanes{};
-        if (extra < extra_lower.n_rows() && extra_lower.row(extra) == i)
-          ++extra;
+        if (has_extra(i, extra_row))
+          ++extra_row;
       }
     subtract_other_ranks();
   }
@@ -92,12 +101,12 @@ namespace Catena
     for (unsigned int i = 0; i < n_nodes(); ++i)
       r[i] = b[i];
     subtract_other_ranks();
-    unsigned int extra = extra_lower.n_rows();
+    unsigned int extra_row = extra_lower.n_rows();
     for (unsigned int i = n_nodes(); i-- > 0;)
       {
-        if (extra > 0 && extra_lower.row(extra - 1) == i)
-          --extra;
-        relax(i, extra);
+        if (extra_row > 0 && has_extra(i, extra_row - 1))
+          --extra_row;
+        relax(i, extra_row);
       }
   }
 } // namespace Catena

@@ -17,6 +17,7 @@ namespace Catena
 
     constexpr unsigned int none = numbers::invalid_unsigned_int;
 
+    /// The highest mode can be one of few elements, which is found slowly.
     constexpr unsigned int n_power_iterations = 20;
 
 
@@ -27,6 +28,7 @@ namespace Catena
      */
     double
     largest_eigenvalue(const NodeMatrix             &matrix,
+                       const std::vector<float>     &diagonal,
                        const std::vector<FieldMask> &masks)
     {
       const auto        &nodes = matrix.column_nodes();
@@ -50,8 +52,7 @@ namespace Catena
           double square = 0.;
           for (unsigned int i = 0; i < n; ++i)
             {
-              Lanes value =
-                matrix.row_times(i, lanes(vector)) / matrix.diagonal(i);
+              Lanes value = matrix.row_times(i, lanes(vector)) / diagonal[i];
               for (unsigned int lane = 0; lane < n_lanes; ++lane)
                 {
                   if (!((masks[i] >> lane) & 1U))
@@ -76,9 +77,13 @@ namespace Catena
     const NodeMatrix             &matrix,
     const std::vector<FieldMask> &node_masks)
   {
-    const auto               &nodes      = matrix.column_nodes();
-    const MPI_Comm            comm       = nodes.get_mpi_communicator();
-    std::vector<unsigned int> aggregates = aggregate(matrix, node_masks);
+    const auto        &nodes = matrix.column_nodes();
+    const MPI_Comm     comm  = nodes.get_mpi_communicator();
+    std::vector<float> diagonal;
+    for (unsigned int i = 0; i < matrix.n_rows(); ++i)
+      diagonal.push_back(matrix.diagonal(i));
+    std::vector<unsigned int> aggregates =
+      aggregate(matrix, diagonal, node_masks);
 
     // numbers for all ranks
     const auto counts =
@@ -96,14 +101,15 @@ namespace Catena
       all |= mask;
     all = Utilities::MPI::max(static_cast<unsigned int>(all), comm);
 
-    const float omega = 4. / (3. * largest_eigenvalue(matrix, node_masks));
+    const float omega =
+      4. / (3. * largest_eigenvalue(matrix, diagonal, node_masks));
     std::vector<std::pair<unsigned int, float>> row;
     for (unsigned int i = 0; i < matrix.n_rows(); ++i)
       {
         row.assign(1, {aggregates[i], 1.f});
         if (node_masks[i] == all)
           {
-            const float weight = omega / matrix.diagonal(i);
+            const float weight = omega / diagonal[i];
             const auto  range  = matrix.row(i);
             for (unsigned int k = range.first; k < range.second; ++k)
               row.emplace_back(aggregates[matrix.column(k)],
@@ -125,12 +131,10 @@ namespace Catena
 
   std::vector<unsigned int>
   SmoothedAggregation::aggregate(const NodeMatrix             &matrix,
+                                 const std::vector<float>     &diagonal,
                                  const std::vector<FieldMask> &node_masks)
   {
     const unsigned int n = matrix.n_rows();
-    std::vector<float> diagonal(n);
-    for (unsigned int i = 0; i < n; ++i)
-      diagonal[i] = matrix.diagonal(i);
 
     const auto is_strong = [&](const unsigned int i, const unsigned int k) {
       const unsigned int j = matrix.column(k);

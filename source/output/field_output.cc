@@ -1,5 +1,6 @@
 #include <catena/base/exceptions.h>
 #include <catena/base/whole_file.h>
+#include <catena/mesh/cell_fields.h>
 #include <catena/output/field_output.h>
 #include <catena/rheology/spectral.h>
 
@@ -107,12 +108,8 @@ namespace Catena
 
       for (const auto node : owned)
         {
-          SymmetricTensor<2, dim> s;
-          for (unsigned int c = 0; c < log_conformation.size(); ++c)
-            s.access_raw_entry(c) = log_conformation[c](node);
-
-          const SymmetricTensor<2, dim> c =
-            exponential(spectral_decomposition(s));
+          const SymmetricTensor<2, dim> c = exponential(
+            spectral_decomposition(vertex_tensor<dim>(node, log_conformation)));
           trace_tau_over_modulus(node) = trace(c) - dim;
           for (unsigned int i = 0; i < dim; ++i)
             for (unsigned int j = 0; j < dim; ++j)

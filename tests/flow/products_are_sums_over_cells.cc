@@ -142,18 +142,6 @@ namespace
 
 
 
-  /// Is component @p d of a node's velocity an unknown of its own?
-  template <int dim>
-  bool
-  is_unknown(const NodeCoupling<dim> &coupling,
-             const unsigned int       node,
-             const unsigned int       d)
-  {
-    return coupling.master == node && coupling.factors[d] != 0.;
-  }
-
-
-
   template <int dim>
   void
   test(Tests::Claims &claims, const Scene<dim> &scene, const std::string &name)
@@ -184,7 +172,7 @@ namespace
       BlockVectorType x = unknowns.make_vector(0);
       for (const auto node : mesh.owned_nodes())
         for (unsigned int d = 0; d < dim; ++d)
-          if (is_unknown(couplings[node], node, d) == solved)
+          if (couplings[node].is_unknown(node, d) == solved)
             x.block(0)(dim * node + d) =
               std::sin(shift + 0.7 * (dim * node + d));
       for (const auto vertex : mesh.owned_scalars())

@@ -101,8 +101,7 @@ namespace Catena
                                 aligned(sizeof(Number)),
                                 may_alias)) = Number;
 
-    /// The numbers of as many nodes as there are of each, number by number, and
-    /// back.
+    /// Of n_node_numbers nodes: from node by node to number by number, or back.
     template <typename Number>
     inline DEAL_II_ALWAYS_INLINE void
     transpose(AtNode<Number> (&v)[n_node_numbers])
@@ -181,15 +180,15 @@ namespace Catena
         Number numbers[n_quadratic_nodes(dim)][n][cells_at_once];
 
       static AtNode<Number> &
-      at(Number *numbers)
+      at(Number *first)
       {
-        return *reinterpret_cast<AtNode<Number> *>(numbers);
+        return *reinterpret_cast<AtNode<Number> *>(first);
       }
 
       static const AtNode<Number> &
-      at(const Number *numbers)
+      at(const Number *first)
       {
-        return *reinterpret_cast<const AtNode<Number> *>(numbers);
+        return *reinterpret_cast<const AtNode<Number> *>(first);
       }
     };
 

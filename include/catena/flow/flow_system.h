@@ -128,8 +128,9 @@ namespace Catena
 
     /**
      * Right-hand sides from @p forces, which the cells of this rank add at
-     * their nodes, less what the known velocities take. All cells are set. The
-     * forces are not the same afterwards.
+     * their nodes, less what the known velocities take. All cells are set, and
+     * products follow them and the couplings as they are now. The forces are
+     * not the same afterwards.
      */
     void
     set_right_hand_side(NodeField<double> &forces);
@@ -141,8 +142,8 @@ namespace Catena
 
   private:
     /// A node whose velocity is not simply an unknown: what NodeCoupling tells
-    /// of it, by local numbers and without what is known. Its motions are those
-    /// from the end of the node before.
+    /// of it, by local numbers and without what is known. Its motions in
+    /// node_motions begin where those of the node before end.
     struct CoupledNode
     {
       unsigned int            local, master;
@@ -180,6 +181,7 @@ namespace Catena
     std::vector<unsigned int>     vertex_nodes;
     std::vector<CoupledNode>      coupled_nodes;
     std::vector<NodeMotion>       node_motions;
+    bool                          has_coupled_nodes = false;
     std::vector<IdentifiedVertex> identified_vertices;
 
     mutable NodeFields<double> fields;

@@ -87,6 +87,10 @@ namespace Catena
     void
     add_product(Lanes *dst, const float factor, const Lanes *src) const;
 
+    /// Add the sums of |e_ij| over the columns j.
+    void
+    add_sums_of_moduli(Lanes *dst) const;
+
     /// Add the entries on the diagonal.
     void
     add_diagonal(Lanes *diagonal) const;

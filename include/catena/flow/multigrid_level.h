@@ -9,20 +9,21 @@
 namespace Catena
 {
   /**
-   * A level of VelocityMultigrid: the operator A = L + D + L^T, symmetric, with
-   * L below the diagonal, and a smoother, a sweep of Gauss and Seidel before
+   * A level of VelocityMultigrid: the operator A, symmetric, with the part L
+   * below its diagonal D, and a smoother, a sweep of Gauss and Seidel before
    * the correction of the coarser levels and one in the opposite order after
    * it,
    *
    *   (D + L) x = b                          from x = 0,
    *   (D + L^T) (x_new - x) = b - A x.
    *
-   * Only L is kept, and a sweep reads it once: by its rows it gathers what
-   * unknowns take from those before them, and by its columns, the rows of L^T,
-   * it adds to the residuals of those before.
+   * Only L is kept, and a sweep reads it once: from row i it gathers what x_i
+   * takes from the unknowns before it, and as that row is column i of L^T, it
+   * subtracts what x_i does from the residuals of those before.
    *
-   * Unknowns of other ranks are what they were before the sweep. In D their
-   * couplings are added without their signs: so the smoother converges on any
+   * On one rank A = L + D + L^T. On more, L has the nodes of a rank alone;
+   * unknowns of other ranks are what they were before the sweep, and D has
+   * their couplings, too, without their signs: so the smoother converges on any
    * number of ranks (Baker, Falgout, Kolev and Yang, SIAM J. Sci. Comput. 33,
    * 2011, 2864-2887).
    */
@@ -49,17 +50,19 @@ namespace Catena
     void
     smooth_from_zero() const;
 
-    /// Smooth x, which is that of smooth_from_zero() with a correction.
+    /// Smooth x, that of the last smooth_from_zero() with a correction, for the
+    /// same b. The residual is used up.
     void
     smooth_corrected() const;
 
-    /// x and b - A x.
+    /// x and, after smooth_from_zero(), b - A x.
     mutable NodeVector solution, residual;
 
   private:
-    NodeMatrix         lower, of_other_ranks;
-    LaneEntries        extra_lower, extra_of_other_ranks;
-    NodeVector         inverse_diagonal;
+    NodeMatrix  lower, of_other_ranks;
+    LaneEntries extra_lower, extra_of_other_ranks;
+    /// what D has for other ranks, and D^-1
+    NodeVector         added_diagonal, inverse_diagonal;
     mutable NodeVector right_hand_side;
 
     /// residual -= (A - D - L - L^T) x: what a sweep does not solve for, the
@@ -67,11 +70,18 @@ namespace Catena
     void
     subtract_other_ranks() const;
 
+    /// Is row number @p extra_row of extra_lower that of i?
+    bool
+    has_extra(const unsigned int i, const unsigned int extra_row) const
+    {
+      return extra_row < extra_lower.n_rows() &&
+             extra_lower.row(extra_row) == i;
+    }
+
     /// Solve equation i for x_i, with the residual of what comes later, and
-    /// take it from the residuals of what comes before.
-    /// @param extra row of extra_lower, if it is that of i
+    /// subtract what x_i does from the residuals of what comes before.
     void
-    relax(const unsigned int i, const unsigned int extra) const;
+    relax(const unsigned int i, const unsigned int extra_row) const;
   };
 } // namespace Catena
 

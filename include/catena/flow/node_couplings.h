@@ -37,8 +37,8 @@ namespace Catena
       return false;
     }
 
-    /// Whether component @p d of @p node, which this is of, is an unknown
-    /// itself.
+    /// Whether component @p d is an unknown itself.
+    /// @param node the node this is the coupling of
     bool
     is_unknown(const unsigned int node, const unsigned int d) const
     {

@@ -139,7 +139,8 @@ namespace Catena
       return rows.values[entry];
     }
 
-    /// The entries whose @p predicate, of row and column, is true.
+    /// The entries that are not zero and whose @p predicate, of row and column,
+    /// is true.
     template <typename Predicate>
     NodeMatrix
     select(const Predicate &predicate) const
@@ -153,6 +154,8 @@ namespace Catena
               selected.rows.add(rows.columns[k], rows.values[k]);
           selected.end_row();
         }
+      selected.rows.columns.shrink_to_fit();
+      selected.rows.values.shrink_to_fit();
       return selected;
     }
 

@@ -47,6 +47,7 @@ namespace Catena
     /// Aggregate of each of this rank's nodes.
     std::vector<unsigned int>
     aggregate(const NodeMatrix             &matrix,
+              const std::vector<float>     &diagonal,
               const std::vector<FieldMask> &node_masks);
   };
 } // namespace Catena

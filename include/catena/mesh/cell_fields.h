@@ -42,7 +42,7 @@ namespace Catena
 
 
 
-  /// Its values at the vertices of a cell.
+  /// Values of a symmetric tensor field at the vertices of a cell.
   template <int dim>
   std::array<dealii::SymmetricTensor<2, dim>, n_linear_nodes(dim)>
   vertex_tensors(const typename MovingMesh<dim>::Cell &cell,
