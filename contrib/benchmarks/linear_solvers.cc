@@ -211,7 +211,6 @@ namespace
       FlowSystem<3>             system(mesh, bodies, couplings);
       PreconditionerMatrices<3> matrices(mesh, couplings);
       matrices.clear();
-      system.fast_cells.copy(system.cells);
       return bytes_of_a_solution(system, matrices, iterations) /
              memory_bandwidth();
     }

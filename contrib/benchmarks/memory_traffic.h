@@ -59,20 +59,20 @@ namespace Catena
     const double pairs    = matrices.node_pairs().n_blocks(),
                  nodes    = matrices.node_pairs().n_rows(),
                  gradient = matrices.gradient.pattern().n_blocks(),
-                 mass     = matrices.pressure_mass.n_nonzero_elements(),
+                 mass     = matrices.pressure_mass.pattern().n_blocks(),
                  unknowns =
                    system.velocity_rhs.size() + system.pressure_rhs.size();
 
     // read what the nodes are given, write what they get
     const double node_vector = n_node_numbers * nodes,
-                 product =
-                   system.cells.memory_consumption() + 2. * node_vector * whole,
-                 fast_product = system.fast_cells.memory_consumption() +
+                 product     = system.cells.memory_consumption<double>() +
+                           2. * node_vector * whole,
+                 fast_product = system.cells.memory_consumption<float>() +
                                 2. * node_vector * single;
     const double sweep = (pairs - nodes) / 2. * (single + index) +
                          vectors_of_a_sweep * node_vector * single;
     const double preconditioner = gradient * (3. * single + index) +
-                                  mass_sweeps * mass * (whole + index) +
+                                  mass_sweeps * mass * (single + index) +
                                   sweeps * sweep;
     const double basis = 2. * iterations / 2. * unknowns * single;
     return iterations * (fast_product + preconditioner + basis) +

@@ -1,10 +1,50 @@
 #include <catena/base/archive.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
 namespace Catena
 {
+  namespace
+  {
+    constexpr std::size_t size_of_piece = 1 << 20;
+  } // namespace
+
+
+
+  std::string
+  Archive::bytes() const
+  {
+    std::size_t size = 0;
+    for (const std::string &piece : saved)
+      size += piece.size();
+    std::string result;
+    result.reserve(size);
+    for (const std::string &piece : saved)
+      result += piece;
+    return result;
+  }
+
+
+
+  void
+  Archive::save(const char *data, std::size_t size)
+  {
+    while (size > 0)
+      {
+        if (saved.empty() || saved.back().size() == size_of_piece)
+          saved.emplace_back();
+        std::string      &piece = saved.back();
+        const std::size_t n     = std::min(size, size_of_piece - piece.size());
+        piece.append(data, n);
+        data += n;
+        size -= n;
+      }
+  }
+
+
+
   void
   Archive::raw(void *data, const std::size_t size)
   {
@@ -12,7 +52,7 @@ namespace Catena
       return;
     if (!loading)
       {
-        content.append(static_cast<const char *>(data), size);
+        save(static_cast<const char *>(data), size);
         return;
       }
     if (size > content.size() - position)

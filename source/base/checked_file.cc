@@ -26,6 +26,17 @@ namespace Catena
 
 
 
+    std::uint32_t
+    checksum(const std::vector<std::string> &pieces)
+    {
+      boost::crc_32_type crc;
+      for (const std::string &piece : pieces)
+        crc.process_bytes(piece.data(), piece.size());
+      return crc.checksum();
+    }
+
+
+
     template <typename T>
     void
     append(std::string &bytes, const T value)
@@ -47,13 +58,16 @@ namespace Catena
 
 
     std::string
-    header(const unsigned int version, const std::string &content)
+    header(const unsigned int version, const std::vector<std::string> &pieces)
     {
+      std::uint64_t size = 0;
+      for (const std::string &piece : pieces)
+        size += piece.size();
       std::string bytes = name;
       bytes.resize(name_length, '\0');
       append<std::uint32_t>(bytes, version);
-      append<std::uint32_t>(bytes, checksum(content.data(), content.size()));
-      append<std::uint64_t>(bytes, content.size());
+      append<std::uint32_t>(bytes, checksum(pieces));
+      append<std::uint64_t>(bytes, size);
       append<std::uint32_t>(bytes, checksum(bytes.data(), bytes.size()));
       return bytes;
     }
@@ -70,12 +84,14 @@ namespace Catena
 
 
   void
-  CheckedFile::write(const std::string &path,
-                     const unsigned int version,
-                     const std::string &content)
+  CheckedFile::write(const std::string              &path,
+                     const unsigned int              version,
+                     const std::vector<std::string> &pieces)
   {
     const int error = WholeFile::write(path, [&](std::ostream &file) {
-      file << header(version, content) << content;
+      file << header(version, pieces);
+      for (const std::string &piece : pieces)
+        file << piece;
     });
     if (error != 0)
       fail(path,

@@ -12,7 +12,7 @@ namespace Catena
     : block_pattern(std::move(pattern))
     , entries(std::size_t(block_pattern->n_blocks()) * n_rows)
   {
-    const auto &nodes = block_pattern->column_nodes();
+    const auto &nodes = *block_pattern->column_nodes();
     if (nodes.n_mpi_processes() > 1)
       ghosted_src.reinit(nodes.locally_owned_range(),
                          nodes.ghost_indices(),
@@ -35,7 +35,7 @@ namespace Catena
   const float *
   BlockMatrix<n_rows>::column_values(const FastVectorType &src) const
   {
-    if (block_pattern->column_nodes().n_mpi_processes() == 1)
+    if (block_pattern->column_nodes()->n_mpi_processes() == 1)
       return src.begin();
     ghosted_src.copy_locally_owned_data_from(src);
     ghosted_src.update_ghost_values();
@@ -68,6 +68,29 @@ namespace Catena
 
 
 
+  template <int n_rows>
+  void
+  BlockMatrix<n_rows>::vmult(FastVectorType       &dst,
+                             const FastVectorType &src) const
+  {
+    dst = 0.f;
+    vmult_add(dst, src);
+  }
+
+
+
+  template <int n_rows>
+  float
+  BlockMatrix<n_rows>::el(const unsigned int i, const unsigned int j) const
+  {
+    const unsigned int row = block_pattern->row(i / n_rows);
+    return block(block_pattern->row_start(row) +
+                 block_pattern->offset(row, j))[i % n_rows];
+  }
+
+
+
+  template class BlockMatrix<1>;
   template class BlockMatrix<2>;
   template class BlockMatrix<3>;
 } // namespace Catena

@@ -28,7 +28,7 @@ namespace Catena
       galerkin_product(matrix, prolongation_rows, masks.size());
     const auto nodes =
       make_nodes(masks.size(), {&product, &prolongation_rows}, comm);
-    prolongation = NodeMatrix(prolongation_rows, nodes);
+    prolongation = Prolongation(prolongation_rows, *nodes);
     if (nodes->size() <= n_coarsest)
       {
         inverse = std::make_unique<CoarseInverse>(product, masks, *nodes);
@@ -71,7 +71,6 @@ namespace Catena
       inverse->vmult(x, r);
 
     x.update_ghost_values();
-    for (unsigned int i = 0; i < prolongation.n_rows(); ++i)
-      lanes(solution)[i] += prolongation.row_times(i, lanes(x));
+    prolongation.add_product(lanes(solution), lanes(x));
   }
 } // namespace Catena

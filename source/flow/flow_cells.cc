@@ -7,9 +7,9 @@ namespace Catena
 {
   using namespace dealii;
 
-  template <int dim, typename Number>
-  FlowCells<dim, Number>::FlowCells(const MovingMesh<dim> &mesh,
-                                    const Partitioner     &nodes)
+  template <int dim>
+  FlowCells<dim>::FlowCells(const MovingMesh<dim> &mesh,
+                            const Partitioner     &nodes)
     : places(mesh.cells().size())
   {
     for (const bool curved : {false, true})
@@ -27,15 +27,15 @@ namespace Catena
         while (cells.size() % cells_at_once != 0)
           cells.push_back(cells.back());
 
-        const auto batches = std::make_shared<std::vector<unsigned int>>();
-        batches->reserve(cells.size() * n_quadratic_nodes(dim));
+        std::vector<unsigned int> batches;
+        batches.reserve(cells.size() * n_quadratic_nodes(dim));
         for (unsigned int first = 0; first < cells.size();
              first += cells_at_once)
           for (unsigned int a = 0; a < n_quadratic_nodes(dim); ++a)
             for (unsigned int i = first; i < first + cells_at_once; ++i)
-              batches->push_back(
+              batches.push_back(
                 nodes.global_to_local(mesh.cells()[cells[i]].nodes[a]));
-        groups.push_back({curved, batches, {}});
+        groups.push_back({curved, std::move(batches), {}, {}});
       }
     resize();
   }
@@ -43,13 +43,13 @@ namespace Catena
 
 
   /// Those of each cell of a group.
-  template <int dim, typename Number>
+  template <int dim>
   unsigned int
-  FlowCells<dim, Number>::n_numbers(const Group &group) const
+  FlowCells<dim>::n_numbers(const Group &group) const
   {
     const bool         curved = group.curved;
     const unsigned int n_points =
-      CellKernels::reference_rule<dim, Number>(curved).size();
+      CellKernels::reference_rule<dim, float>(curved).size();
     return (curved ? n_points : 1) * dim * dim +
            n_points * (with_tangents ? 2 : 1) *
              (1 + n_symmetric_components(dim));
@@ -57,21 +57,24 @@ namespace Catena
 
 
 
-  template <int dim, typename Number>
+  template <int dim>
   void
-  FlowCells<dim, Number>::resize()
+  FlowCells<dim>::resize()
   {
     for (Group &group : groups)
-      group.numbers.assign(group.nodes->size() / n_quadratic_nodes(dim) *
-                             n_numbers(group),
-                           Number());
+      {
+        const std::size_t n =
+          group.nodes.size() / n_quadratic_nodes(dim) * n_numbers(group);
+        group.numbers.assign(n, 0.f);
+        group.remainders.assign(n, 0.f);
+      }
   }
 
 
 
-  template <int dim, typename Number>
+  template <int dim>
   void
-  FlowCells<dim, Number>::use_tangents(const bool there_are)
+  FlowCells<dim>::use_tangents(const bool there_are)
   {
     if (with_tangents == there_are)
       return;
@@ -81,9 +84,9 @@ namespace Catena
 
 
 
-  template <int dim, typename Number>
+  template <int dim>
   void
-  FlowCells<dim, Number>::set(
+  FlowCells<dim>::set(
     const unsigned int                                        cell,
     const std::vector<typename CellValues<dim>::PointValues> &points,
     const std::vector<StressCoefficients<dim>>               &coefficients)
@@ -93,11 +96,12 @@ namespace Catena
     AssertIndexRange(place.group, groups.size());
     Group &group = groups[place.group];
 
-    Number *next = group.numbers.data() +
-                   std::size_t(place.index / width) * width * n_numbers(group) +
-                   place.index % width;
+    std::size_t next =
+      std::size_t(place.index / width) * width * n_numbers(group) +
+      place.index % width;
     const auto add = [&](const double number) {
-      *next = number;
+      group.numbers[next]    = number;
+      group.remainders[next] = number - group.numbers[next];
       next += width;
     };
     const auto add_symmetric = [&](const double                   factor,
@@ -127,28 +131,10 @@ namespace Catena
 
 
 
-  template <int dim, typename Number>
-  template <typename OtherNumber>
+  template <int dim>
+  template <bool transposed, typename Number>
   void
-  FlowCells<dim, Number>::copy(const FlowCells<dim, OtherNumber> &other)
-  {
-    groups.resize(other.groups.size());
-    for (unsigned int g = 0; g < groups.size(); ++g)
-      {
-        groups[g].curved = other.groups[g].curved;
-        groups[g].nodes  = other.groups[g].nodes;
-        groups[g].numbers.assign(other.groups[g].numbers.begin(),
-                                 other.groups[g].numbers.end());
-      }
-    with_tangents = other.with_tangents;
-  }
-
-
-
-  template <int dim, typename Number>
-  template <bool transposed>
-  void
-  FlowCells<dim, Number>::add(Number *dst, const Number *src) const
+  FlowCells<dim>::add(Number *dst, const Number *src) const
   {
     using CellKernels::integrate;
     CellKernels::NodePacks<dim, Number> x, y;
@@ -159,11 +145,13 @@ namespace Catena
         const unsigned int nodes_at_once =
                              n_quadratic_nodes(dim) * cells_at_once,
                            numbers_at_once = n_numbers(group) * cells_at_once;
-        const unsigned int *nodes          = group.nodes->data();
-        const Number       *numbers        = group.numbers.data();
-        for (; nodes != group.nodes->data() + group.nodes->size();
-             nodes += nodes_at_once, numbers += numbers_at_once)
+        const unsigned int *nodes          = group.nodes.data();
+        std::size_t         first          = 0;
+        for (; nodes != group.nodes.data() + group.nodes.size();
+             nodes += nodes_at_once, first += numbers_at_once)
           {
+            const CellKernels::CellNumbers<dim, Number> numbers(
+              group.numbers.data() + first, group.remainders.data() + first);
             x.gather(nodes, src);
             if (group.curved)
               integrate<dim, Number, true, transposed>(
@@ -178,44 +166,50 @@ namespace Catena
 
 
 
-  template <int dim, typename Number>
+  template <int dim>
+  template <typename Number>
   void
-  FlowCells<dim, Number>::add_product(Number *dst, const Number *src) const
+  FlowCells<dim>::add_product(Number *dst, const Number *src) const
   {
-    add<false>(dst, src);
+    add<false, Number>(dst, src);
   }
 
 
 
-  template <int dim, typename Number>
+  template <int dim>
+  template <typename Number>
   void
-  FlowCells<dim, Number>::add_transposed_product(Number       *dst,
-                                                 const Number *src) const
+  FlowCells<dim>::add_transposed_product(Number *dst, const Number *src) const
   {
-    add<true>(dst, src);
+    add<true, Number>(dst, src);
   }
 
 
 
-  template <int dim, typename Number>
+  template <int dim>
+  template <typename Number>
   std::size_t
-  FlowCells<dim, Number>::memory_consumption() const
+  FlowCells<dim>::memory_consumption() const
   {
     std::size_t bytes = 0;
     for (const Group &group : groups)
       bytes += group.numbers.size() * sizeof(Number) +
-               group.nodes->size() * sizeof(unsigned int);
+               group.nodes.size() * sizeof(unsigned int);
     return bytes;
   }
 
 
 
-  template class FlowCells<2, double>;
-  template class FlowCells<3, double>;
-  template class FlowCells<2, float>;
-  template class FlowCells<3, float>;
-  template void
-  FlowCells<2, float>::copy(const FlowCells<2, double> &);
-  template void
-  FlowCells<3, float>::copy(const FlowCells<3, double> &);
+#define INSTANTIATE(dim, Number)                                              \
+  template void FlowCells<dim>::add_product(Number *, const Number *) const;  \
+  template void FlowCells<dim>::add_transposed_product(Number *,              \
+                                                       const Number *) const; \
+  template std::size_t FlowCells<dim>::memory_consumption<Number>() const;
+  template class FlowCells<2>;
+  template class FlowCells<3>;
+  INSTANTIATE(2, double)
+  INSTANTIATE(2, float)
+  INSTANTIATE(3, double)
+  INSTANTIATE(3, float)
+#undef INSTANTIATE
 } // namespace Catena

@@ -101,8 +101,6 @@ namespace Catena
 
     multigrid = VelocityMultigrid<dim>(mesh, couplings, new_matrices);
     velocity_src.reinit(system->velocity_rhs);
-    pressure_src.reinit(system->pressure_rhs);
-    pressure_dst.reinit(system->pressure_rhs);
 
     initialize_mass();
     initialize_rigid();
@@ -130,9 +128,10 @@ namespace Catena
   void
   FlowPreconditioner<dim>::initialize_mass()
   {
-    VectorType inverse_diagonal(pressure_src);
+    FastVectorType inverse_diagonal;
+    inverse_diagonal.reinit(system->pressure_rhs);
     for (const auto i : inverse_diagonal.locally_owned_elements())
-      inverse_diagonal(i) = 1. / matrices->pressure_mass.diag_element(i);
+      inverse_diagonal(i) = 1.f / matrices->pressure_mass.el(i, i);
 
     // eigenvalues of the P1 mass matrix scaled by its diagonal:
     // between 1/2 and (dim+2)/2
@@ -142,7 +141,7 @@ namespace Catena
     data.smoothing_range     = dim + 2.;
     data.eig_cg_n_iterations = 0;
     data.preconditioner =
-      std::make_shared<DiagonalMatrix<VectorType>>(inverse_diagonal);
+      std::make_shared<DiagonalMatrix<FastVectorType>>(inverse_diagonal);
     mass_inverse.initialize(matrices->pressure_mass, data);
   }
 
@@ -157,7 +156,7 @@ namespace Catena
 
     FastVectorType no_velocity, no_pressure;
     no_velocity.reinit(velocity_src);
-    no_pressure.reinit(pressure_src);
+    no_pressure.reinit(system->pressure_rhs);
     FastVectorType column(no_velocity), pressures(no_pressure),
       response(no_velocity);
     std::vector<double>                                                forces;
@@ -222,10 +221,8 @@ namespace Catena
   FlowPreconditioner<dim>::vmult(FastBlockVectorType       &dst,
                                  const FastBlockVectorType &src) const
   {
-    pressure_src = src.block(1);
-    mass_inverse.vmult(pressure_dst, pressure_src);
-    pressure_dst *= -2.;
-    dst.block(1) = pressure_dst;
+    mass_inverse.vmult(dst.block(1), src.block(1));
+    dst.block(1) *= -2.f;
 
     velocity_src = 0.;
     matrices->gradient.vmult_add(velocity_src, dst.block(1));

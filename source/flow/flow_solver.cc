@@ -60,6 +60,10 @@ namespace Catena
 
     /// of the wanted residual, what single precision aims at
     constexpr double solver_share = 0.9;
+
+    /// iterations whose basis is kept: most solutions take fewer, and it takes
+    /// more memory than all else that a step needs
+    constexpr unsigned int basis_size = 40;
   } // namespace
 
 
@@ -257,7 +261,8 @@ namespace Catena
         SolverControl control(parameters.max_iterations - iterations,
                               std::max(solver_share * wanted / norm,
                                        largest_reduction));
-        typename SolverFGMRES<FastBlockVectorType>::AdditionalData data(100);
+        typename SolverFGMRES<FastBlockVectorType>::AdditionalData data(
+          basis_size);
         try
           {
             SolverFGMRES<FastBlockVectorType>(control, data)

@@ -40,7 +40,7 @@ namespace Catena
         node_dofs(node_partitioner.ghost_indices(), n),
         mesh.communicator()))
   {
-    cells  = FlowCells<dim, double>(mesh, node_partitioner);
+    cells  = FlowCells<dim>(mesh, node_partitioner);
     fields = {node_field(), node_field()};
     fast_fields.given.reinit(layout);
     fast_fields.sums.reinit(layout);
@@ -73,7 +73,6 @@ namespace Catena
   {
     coupled_nodes.clear();
     node_motions.clear();
-    has_coupled_nodes          = true;
     const unsigned int n_nodes = node_partitioner.locally_owned_size() +
                                  node_partitioner.n_ghost_indices();
     const auto is_one = [](const double factor) { return factor == 1.; };
@@ -103,11 +102,11 @@ namespace Catena
   IndexSet
   FlowSystem<dim>::nodes_of_owned_cells() const
   {
-    std::vector<types::global_dof_index> nodes;
-    const auto add = [&](const types::global_dof_index node) {
-      nodes.push_back(node);
-      nodes.push_back(couplings[node].master);
-      nodes.push_back(mesh.identification().master(node));
+    std::vector<bool> found(mesh.n_global_nodes(), false);
+    const auto        add = [&](const types::global_dof_index node) {
+      found[node]                               = true;
+      found[couplings[node].master]             = true;
+      found[mesh.identification().master(node)] = true;
     };
     for (const auto node : mesh.owned_nodes())
       add(node);
@@ -115,10 +114,17 @@ namespace Catena
       if (cell.owned)
         for (const unsigned int node : cell.nodes)
           add(node);
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    IndexSet set(mesh.n_global_nodes());
-    set.add_indices(nodes.begin(), nodes.end());
+    IndexSet set(found.size());
+    for (unsigned int begin = 0; begin < found.size(); ++begin)
+      if (found[begin])
+        {
+          unsigned int end = begin;
+          while (end < found.size() && found[end])
+            ++end;
+          set.add_range(begin, end);
+          begin = end;
+        }
+    set.compress();
     return set;
   }
 
@@ -270,7 +276,6 @@ namespace Catena
                             const Unknowns<Vector>  &src,
                             const AddCells          &add_cells) const
   {
-    Assert(has_coupled_nodes, ExcNotInitialized());
     give_nodes(fields.given, src);
     fields.sums = 0.;
     add_cells(fields.sums.begin(), fields.given.begin());
@@ -290,14 +295,13 @@ namespace Catena
   FlowSystem<dim>::vmult(const Equations<Vector> &dst,
                          const Unknowns<Vector>  &src) const
   {
+    const auto add_cells = [&](Number *to, const Number *from) {
+      cells.add_product(to, from);
+    };
     if constexpr (std::is_same_v<Number, float>)
-      multiply(fast_fields, dst, src, [&](float *to, const float *from) {
-        fast_cells.add_product(to, from);
-      });
+      multiply(fast_fields, dst, src, add_cells);
     else
-      multiply(fields, dst, src, [&](double *to, const double *from) {
-        cells.add_product(to, from);
-      });
+      multiply(fields, dst, src, add_cells);
   }
 
 
@@ -308,7 +312,7 @@ namespace Catena
                           const Unknowns<FastVectorType>  &src) const
   {
     multiply(fast_fields, dst, src, [&](float *to, const float *from) {
-      fast_cells.add_transposed_product(to, from);
+      cells.add_transposed_product(to, from);
     });
   }
 
@@ -318,7 +322,6 @@ namespace Catena
   void
   FlowSystem<dim>::set_right_hand_side(NodeField<double> &forces)
   {
-    fast_cells.copy(cells);
     collect_coupled_nodes();
     fields.given = 0.;
     for (const CoupledNode &node : coupled_nodes)
@@ -364,7 +367,7 @@ namespace Catena
     fields.sums      = 0.;
     fast_fields.sums = 0.;
     cells.add_product(fields.sums.begin(), fields.given.begin());
-    fast_cells.add_product(fast_fields.sums.begin(), fast_fields.given.begin());
+    cells.add_product(fast_fields.sums.begin(), fast_fields.given.begin());
     fields.sums.compress(VectorOperation::add);
     fast_fields.sums.compress(VectorOperation::add);
     double square = 0.;

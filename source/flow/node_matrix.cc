@@ -8,27 +8,50 @@ namespace Catena
 {
   using namespace dealii;
 
-  NodeMatrix::NodeMatrix(SparseRows                         new_rows,
-                         std::shared_ptr<const Partitioner> new_nodes)
-    : nodes(std::move(new_nodes))
+  NodeMatrix::NodeMatrix(const SparseRows                  &global_rows,
+                         std::shared_ptr<const Partitioner> column_nodes)
+    : nodes(std::move(column_nodes))
   {
-    const std::vector<unsigned int> &starts   = new_rows.starts;
-    const auto                       round_up = [](const unsigned int n) {
-      return (n + stride - 1) / stride * stride;
-    };
+    reserve(global_rows.starts);
+    for (unsigned int i = 0; i < global_rows.size(); ++i)
+      {
+        for (unsigned int k = global_rows.starts[i];
+             k < global_rows.starts[i + 1];
+             ++k)
+          rows.add(nodes->global_to_local(global_rows.columns[k]),
+                   global_rows.values[k]);
+        end_row();
+      }
+  }
+
+
+
+  NodeMatrix::NodeMatrix(const BlockPattern       &pattern,
+                         const std::vector<float> &entries)
+    : nodes(pattern.column_nodes())
+  {
+    reserve(pattern.row_starts());
+    for (unsigned int i = 0; i < pattern.n_rows(); ++i)
+      {
+        for (unsigned int k = pattern.row_start(i);
+             k < pattern.row_start(i + 1);
+             ++k)
+          rows.add(pattern.local_columns()[k], entries[k]);
+        end_row();
+      }
+  }
+
+
+
+  void
+  NodeMatrix::reserve(const std::vector<unsigned int> &starts)
+  {
     unsigned int n_entries = 0;
-    for (unsigned int i = 0; i < new_rows.size(); ++i)
-      n_entries += round_up(starts[i + 1] - starts[i]);
+    for (unsigned int i = 0; i + 1 < starts.size(); ++i)
+      n_entries += (starts[i + 1] - starts[i] + stride - 1) / stride * stride;
     rows.starts.reserve(starts.size());
     rows.columns.reserve(n_entries);
     rows.values.reserve(n_entries);
-    for (unsigned int i = 0; i < new_rows.size(); ++i)
-      {
-        for (unsigned int k = starts[i]; k < starts[i + 1]; ++k)
-          rows.add(nodes->global_to_local(new_rows.columns[k]),
-                   new_rows.values[k]);
-        end_row();
-      }
   }
 
 

@@ -32,9 +32,7 @@ namespace Catena
       {
         for (unsigned int i = 0; i < n; ++i)
           if (columns[i] != no_master)
-            places[size++] = {
-              pattern.column_nodes().global_to_local(columns[i]), i};
-        std::sort(places.begin(), places.begin() + size);
+            insert({pattern.column_nodes()->global_to_local(columns[i]), i});
       }
 
       /// Call @p action with the number of each column and of its block.
@@ -53,9 +51,21 @@ namespace Catena
       }
 
     private:
-      const BlockPattern                                  &pattern;
-      std::array<std::pair<unsigned int, unsigned int>, n> places;
-      unsigned int                                         size = 0;
+      /// A column and its number in the cell.
+      using Place = std::pair<unsigned int, unsigned int>;
+
+      const BlockPattern  &pattern;
+      std::array<Place, n> places;
+      unsigned int         size = 0;
+
+      void
+      insert(const Place &place)
+      {
+        unsigned int i = size++;
+        for (; i > 0 && place < places[i - 1]; --i)
+          places[i] = places[i - 1];
+        places[i] = place;
+      }
     };
   } // namespace
 
@@ -78,60 +88,36 @@ namespace Catena
   void
   PreconditionerMatrices<dim>::make_patterns()
   {
-    const unsigned int n_all_nodes    = mesh.n_global_nodes(),
-                       n_all_vertices = mesh.scalar_dofs().n_dofs();
-    // other rows are left out
-    DynamicSparsityPattern nodes(n_all_nodes, n_all_nodes, mesh.owned_nodes()),
-      gradients(n_all_nodes, n_all_vertices, mesh.owned_nodes()),
-      masses(n_all_vertices, n_all_vertices, mesh.relevant_scalars());
-
-    for (const auto node : mesh.owned_nodes())
-      nodes.add(node, node);
-    for (const auto vertex : mesh.owned_scalars())
-      masses.add(vertex, vertex);
-
-    const auto make_unique = [](auto &numbers) {
-      std::sort(numbers.begin(), numbers.end());
-      numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    };
-    std::vector<types::global_dof_index> masters, vertices;
+    CellNodes masters{n_nodes}, vertices{n_vertices};
     for (const auto &cell : mesh.cells())
       {
-        masters.clear();
-        vertices.clear();
         for (const unsigned int node : cell.nodes)
-          if (couplings[node].has_unknown())
-            masters.push_back(couplings[node].master);
+          masters.nodes.push_back(couplings[node].has_unknown() ?
+                                    couplings[node].master :
+                                    CellNodes::absent);
         for (const unsigned int vertex : cell.vertices)
-          vertices.push_back(mesh.vertex_master(vertex));
-        make_unique(masters);
-        make_unique(vertices);
-
-        for (const auto master : masters)
-          {
-            nodes.add_entries(master, masters.begin(), masters.end(), true);
-            gradients.add_entries(master,
-                                  vertices.begin(),
-                                  vertices.end(),
-                                  true);
-          }
-        for (const auto vertex : vertices)
-          masses.add_entries(vertex, vertices.begin(), vertices.end(), true);
+          vertices.nodes.push_back(mesh.vertex_master(vertex));
       }
-
     const MPI_Comm comm = mesh.communicator();
-    node_pattern = std::make_shared<const BlockPattern>(mesh.owned_nodes(),
-                                                        mesh.owned_nodes(),
-                                                        nodes,
-                                                        comm);
-    gradient     = BlockMatrix<dim>(std::make_shared<const BlockPattern>(
-      mesh.owned_nodes(), mesh.owned_scalars(), gradients, comm));
-    pressure_mass.reinit(mesh.owned_scalars(),
-                         mesh.owned_scalars(),
-                         masses,
-                         comm);
-    mass_access =
-      CsrAccess(pressure_mass, mesh.owned_scalars(), mesh.relevant_scalars());
+    gradient            = BlockMatrix<dim>(std::make_shared<const BlockPattern>(
+      mesh.owned_nodes(), mesh.owned_scalars(), masters, vertices, comm));
+
+    // what is not solved for has an equation of its own
+    const auto add_alone = [](CellNodes &cells, const unsigned int node) {
+      cells.nodes.push_back(node);
+      cells.nodes.resize(cells.nodes.size() + cells.n_nodes - 1,
+                         CellNodes::absent);
+    };
+    for (const auto node : mesh.owned_nodes())
+      if (couplings[node].master != node || !couplings[node].has_unknown())
+        add_alone(masters, node);
+    for (const auto vertex : mesh.owned_scalars())
+      if (mesh.vertex_master(vertex) != vertex)
+        add_alone(vertices, vertex);
+    node_pattern = std::make_shared<const BlockPattern>(
+      mesh.owned_nodes(), mesh.owned_nodes(), masters, masters, comm);
+    pressure_mass = BlockMatrix<1>(std::make_shared<const BlockPattern>(
+      mesh.owned_scalars(), mesh.owned_scalars(), vertices, vertices, comm));
   }
 
 
@@ -181,7 +167,7 @@ namespace Catena
   PreconditionerMatrices<dim>::clear()
   {
     gradient.clear();
-    pressure_mass = 0.;
+    pressure_mass.clear();
     for (ComponentMatrix &component : component_matrices)
       component.entries.assign(node_pattern->n_blocks(), 0.f);
   }
@@ -203,21 +189,30 @@ namespace Catena
   PreconditionerMatrices<dim>::add(const unsigned int                c,
                                    const PreconditionerElement<dim> &element)
   {
-    const auto                          &cell = mesh.cells()[c];
-    std::array<unsigned int, n_vertices> vertices;
-    for (unsigned int v = 0; v < n_vertices; ++v)
-      vertices[v] = mesh.vertex_master(cell.vertices[v]);
+    const auto &cell = mesh.cells()[c];
+    // without a row the columns may be none of this rank's
+    const auto is_absent = [](const unsigned int row) {
+      return row == BlockPattern::absent;
+    };
 
+    std::array<unsigned int, n_vertices> vertices, vertex_rows;
     for (unsigned int v = 0; v < n_vertices; ++v)
       {
-        const int row = mass_access.row(vertices[v]);
-        if (row == CsrAccess::absent)
-          continue;
-        for (unsigned int w = 0; w < n_vertices; ++w)
-          mass_access.add(row,
-                          mass_access.column(vertices[w]),
-                          element.mass[v][w]);
+        vertices[v]    = mesh.vertex_master(cell.vertices[v]);
+        vertex_rows[v] = pressure_mass.pattern().row(vertices[v]);
       }
+    if (!std::all_of(vertex_rows.begin(), vertex_rows.end(), is_absent))
+      {
+        const PatternPlaces<n_vertices> places(pressure_mass.pattern(),
+                                               vertices);
+        for (unsigned int v = 0; v < n_vertices; ++v)
+          if (!is_absent(vertex_rows[v]))
+            places.in_row(vertex_rows[v],
+                          [&](const unsigned int w, const unsigned int k) {
+                            pressure_mass.block(k)[0] += element.mass[v][w];
+                          });
+      }
+
     const unsigned int n_groups = component_matrices.size();
     std::array<std::array<double, n_nodes>, dim> factors;
     std::array<unsigned int, n_nodes>            masters, rows;
@@ -231,10 +226,6 @@ namespace Catena
           factors[g][a] =
             coupling.shared_factor(component_matrices[g].components);
       }
-    // without a row the columns may be none of this rank's
-    const auto is_absent = [](const unsigned int row) {
-      return row == BlockPattern::absent;
-    };
     if (std::all_of(rows.begin(), rows.end(), is_absent))
       return;
     const PatternPlaces<n_nodes>    nodes(*node_pattern, masters);
@@ -276,9 +267,12 @@ namespace Catena
           }
     for (const auto vertex : mesh.owned_scalars())
       if (mesh.vertex_master(vertex) != vertex)
-        mass_access.add(mass_access.row(vertex),
-                        mass_access.column(vertex),
-                        1.);
+        {
+          const unsigned int row = pressure_mass.pattern().row(vertex);
+          pressure_mass.block(row,
+                              pressure_mass.pattern().offset(row, vertex))[0] +=
+            1.f;
+        }
   }
 
 

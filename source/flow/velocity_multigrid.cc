@@ -5,44 +5,15 @@ namespace Catena
 {
   using namespace dealii;
 
-  namespace
-  {
-    /// The rows of this rank in single precision.
-    SparseRows
-    owned_rows(const BlockPattern &pattern, const std::vector<float> &entries)
-    {
-      SparseRows rows;
-      rows.starts.reserve(pattern.n_rows() + 1);
-      rows.columns.reserve(pattern.n_blocks());
-      rows.values.reserve(pattern.n_blocks());
-      for (unsigned int row = 0; row < pattern.n_rows(); ++row)
-        {
-          for (unsigned int k = pattern.row_start(row);
-               k < pattern.row_start(row + 1);
-               ++k)
-            rows.add(pattern.column_nodes().local_to_global(
-                       pattern.local_columns()[k]),
-                     entries[k]);
-          rows.end_row();
-        }
-      return rows;
-    }
-  } // namespace
-
-
-
   template <int dim>
   VelocityMultigrid<dim>::VelocityMultigrid(
     const MovingMesh<dim>                &mesh,
     const std::vector<NodeCoupling<dim>> &couplings,
     const PreconditionerMatrices<dim>    &matrices)
   {
-    const MPI_Comm comm = mesh.communicator();
-    SparseRows     shared_rows =
-      owned_rows(matrices.node_pairs(),
-                 matrices.component_matrices.front().entries);
-    const auto nodes = make_nodes(shared_rows.size(), {&shared_rows}, comm);
-    const NodeMatrix shared(std::move(shared_rows), nodes);
+    const MPI_Comm   comm = mesh.communicator();
+    const NodeMatrix shared(matrices.node_pairs(),
+                            matrices.component_matrices.front().entries);
 
     std::vector<FieldMask>                masks(shared.n_rows(), 0);
     std::vector<LaneEntries::FieldMatrix> others;
@@ -69,9 +40,7 @@ namespace Catena
         for (const unsigned int component : group.components)
           fields |= 1U << component;
         others.push_back(
-          {fields,
-           NodeMatrix(owned_rows(matrices.node_pairs(), group.entries),
-                      nodes)});
+          {fields, NodeMatrix(matrices.node_pairs(), group.entries)});
         add_correction(others.back().matrix);
       }
     finest =

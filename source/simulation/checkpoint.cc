@@ -111,7 +111,7 @@ namespace Catena
 
 
   void
-  Checkpoint::write(const std::string &content, const double strain)
+  Checkpoint::write(std::vector<std::string> pieces, const double strain)
   {
     std::string   failure;
     std::uint64_t next = number + 1;
@@ -121,7 +121,8 @@ namespace Catena
           double  at = strain;
           Archive head;
           head(next, at);
-          CheckedFile::write(slot(next), version, head.bytes() + content);
+          pieces.insert(pieces.begin(), head.bytes());
+          CheckedFile::write(slot(next), version, pieces);
         }
       catch (const CheckpointError &error)
         {

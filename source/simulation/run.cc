@@ -207,7 +207,7 @@ namespace Catena
         ending->archive(archive);
       simulation.report().archive(archive);
       fields->archive(archive, simulation.strain());
-      checkpoint.write(archive.bytes(), simulation.strain());
+      checkpoint.write(archive.take_pieces(), simulation.strain());
       clock.restart(simulation.strain());
     }
 

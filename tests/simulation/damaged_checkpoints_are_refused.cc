@@ -162,7 +162,7 @@ namespace
                 n,
                 0.);
 
-    CheckedFile::write("other", Checkpoint::version + 1, content);
+    CheckedFile::write("other", Checkpoint::version + 1, {content});
     claims.holds("another version is refused by its number",
                  says(refusal([]() {
                         CheckedFile::read("other", Checkpoint::version);
@@ -176,7 +176,7 @@ namespace
                       {"cannot be read"}));
     claims.holds("what cannot be written is refused",
                  says(refusal([]() {
-                        CheckedFile::write("nowhere/file", 1, "content");
+                        CheckedFile::write("nowhere/file", 1, {"content"});
                       }),
                       {"nowhere/file", "cannot be written"}));
   }

@@ -9,6 +9,7 @@
 #include <array>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace Catena
@@ -47,10 +48,14 @@ namespace Catena
     }
 
     /// All that has been saved.
-    const std::string &
-    bytes() const
+    std::string
+    bytes() const;
+
+    /// The same in pieces, without a copy; the archive is empty then.
+    std::vector<std::string>
+    take_pieces()
     {
-      return content;
+      return std::exchange(saved, {});
     }
 
     /**
@@ -72,9 +77,15 @@ namespace Catena
     finish() const;
 
   private:
+    /// a single string would be copied as it grows
+    std::vector<std::string> saved;
+    /// to load from
     std::string content;
     std::size_t position = 0;
     bool        loading  = false;
+
+    void
+    save(const char *data, std::size_t size);
 
     void
     raw(void *data, const std::size_t size);

@@ -2,6 +2,7 @@
 #define catena_base_checked_file_h
 
 #include <string>
+#include <vector>
 
 namespace Catena
 {
@@ -21,14 +22,14 @@ namespace Catena
   namespace CheckedFile
   {
     /**
-     * Write @p content as @p path, a WholeFile.
+     * Write a content in @p pieces as @p path, a WholeFile.
      *
      * @throws CheckpointError if it cannot be written; nothing is left of it
      */
     void
-    write(const std::string &path,
-          const unsigned int version,
-          const std::string &content);
+    write(const std::string              &path,
+          const unsigned int              version,
+          const std::vector<std::string> &pieces);
 
     /**
      * The content of @p path.

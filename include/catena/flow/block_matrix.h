@@ -4,6 +4,8 @@
 #include <catena/base/types.h>
 #include <catena/flow/block_pattern.h>
 
+#include <deal.II/base/subscriptor.h>
+
 #include <memory>
 #include <vector>
 
@@ -17,7 +19,7 @@ namespace Catena
    * Products are bound by memory: all is in single precision.
    */
   template <int n_rows>
-  class BlockMatrix
+  class BlockMatrix : public dealii::Subscriptor
   {
   public:
     BlockMatrix() = default;
@@ -58,6 +60,21 @@ namespace Catena
     /// dst += A src
     void
     vmult_add(FastVectorType &dst, const FastVectorType &src) const;
+
+    /// dst = A src
+    void
+    vmult(FastVectorType &dst, const FastVectorType &src) const;
+
+    /// Number of all rows, of a matrix from a field to itself.
+    std::size_t
+    m() const
+    {
+      return block_pattern->column_nodes()->size();
+    }
+
+    /// Entry of a row of this rank, if the pattern has it.
+    float
+    el(const unsigned int i, const unsigned int j) const;
 
   private:
     std::shared_ptr<const BlockPattern> block_pattern;

@@ -4,13 +4,42 @@
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/partitioner.h>
 
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-
 #include <memory>
 #include <vector>
 
 namespace Catena
 {
+  /**
+   * Nodes of some cells, as many of each.
+   */
+  struct CellNodes
+  {
+    /// In place of a node.
+    static constexpr unsigned int absent =
+      dealii::numbers::invalid_unsigned_int;
+
+    unsigned int              n_nodes;
+    std::vector<unsigned int> nodes = {};
+
+    unsigned int
+    n_cells() const
+    {
+      return nodes.size() / n_nodes;
+    }
+
+    /// Call @p action with each node of cell @p c that is not absent.
+    template <typename Action>
+    void
+    for_each(const unsigned int c, const Action &action) const
+    {
+      for (unsigned int i = c * n_nodes; i < (c + 1) * n_nodes; ++i)
+        if (nodes[i] != absent)
+          action(nodes[i]);
+    }
+  };
+
+
+
   /**
    * Which nodes a BlockMatrix couples: a row for each node of this rank, with
    * its columns in ascending order of their local numbers.
@@ -25,18 +54,21 @@ namespace Catena
       dealii::numbers::invalid_unsigned_int;
 
     /**
+     * Couple the nodes of the same cell.
      * @param rows, columns the nodes that this rank owns, without a gap
-     * @param couplings the pairs of nodes, at least those of @p rows
+     * @param cell_rows, cell_columns of the same cells, at least those with a
+     * node in @p rows
      */
-    BlockPattern(const dealii::IndexSet               &rows,
-                 const dealii::IndexSet               &columns,
-                 const dealii::DynamicSparsityPattern &couplings,
-                 const MPI_Comm                        communicator);
+    BlockPattern(const dealii::IndexSet &rows,
+                 const dealii::IndexSet &columns,
+                 const CellNodes        &cell_rows,
+                 const CellNodes        &cell_columns,
+                 const MPI_Comm          communicator);
 
     unsigned int
     n_rows() const
     {
-      return row_starts.size() - 1;
+      return starts.size() - 1;
     }
 
     unsigned int
@@ -50,7 +82,14 @@ namespace Catena
     unsigned int
     row_start(const unsigned int row) const
     {
-      return row_starts[row];
+      return starts[row];
+    }
+
+    /// row_start() of all rows, and the number of blocks.
+    const std::vector<unsigned int> &
+    row_starts() const
+    {
+      return starts;
     }
 
     /// By block, its column as a local number.
@@ -61,10 +100,10 @@ namespace Catena
     }
 
     /// The nodes that are the columns; those of other ranks are ghosts.
-    const Partitioner &
+    std::shared_ptr<const Partitioner>
     column_nodes() const
     {
-      return *nodes;
+      return nodes;
     }
 
     /// The row of a node of this rank; absent for those of others.
@@ -80,7 +119,7 @@ namespace Catena
 
   private:
     unsigned int                       first_row;
-    std::vector<unsigned int>          row_starts, columns;
+    std::vector<unsigned int>          starts, columns;
     std::shared_ptr<const Partitioner> nodes;
   };
 } // namespace Catena

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 #include <vector>
 
 #include <experimental/simd>
@@ -60,15 +61,42 @@ namespace Catena
       Number,
       std::experimental::simd_abi::deduce_t<Number, int(cells_at_once)>>;
 
+    /**
+     * What is known of a batch, number by number: in single precision, and with
+     * what that has left in double.
+     */
     template <int dim, typename Number>
-    CellPack<dim, Number>
-    load(const Number *&numbers)
+    class CellNumbers
     {
-      const CellPack<dim, Number> pack(numbers,
-                                       std::experimental::element_aligned);
-      numbers += cells_at_once;
-      return pack;
-    }
+    public:
+      using Pack = CellPack<dim, Number>;
+
+      CellNumbers(const float *numbers, const float *remainders)
+        : numbers(numbers)
+        , remainders(remainders)
+      {}
+
+      Pack
+      next()
+      {
+        Pack pack = take(numbers);
+        if constexpr (!std::is_same_v<Number, float>)
+          pack += take(remainders);
+        return pack;
+      }
+
+    private:
+      const float *numbers, *remainders;
+
+      static Pack
+      take(const float *&from)
+      {
+        const CellPack<dim, float> pack(from,
+                                        std::experimental::element_aligned);
+        from += cells_at_once;
+        return std::experimental::static_simd_cast<Pack>(pack);
+      }
+    };
 
 
 
@@ -79,11 +107,11 @@ namespace Catena
       using Pack = CellPack<dim, Number>;
       std::array<std::array<Pack, dim>, dim> components;
 
-      explicit SymmetricPacks(const Number *&numbers)
+      explicit SymmetricPacks(CellNumbers<dim, Number> &numbers)
       {
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int j = 0; j <= i; ++j)
-            components[i][j] = components[j][i] = load<dim>(numbers);
+            components[i][j] = components[j][i] = numbers.next();
       }
 
       const std::array<Pack, dim> &
@@ -370,7 +398,7 @@ namespace Catena
     void
     integrate(const ReferenceRule<dim, Number> &rule,
               const bool                        with_tangents,
-              const Number                     *numbers,
+              CellNumbers<dim, Number>          numbers,
               const NodePacks<dim, Number>     &x,
               NodePacks<dim, Number>           &y)
     {
@@ -380,7 +408,7 @@ namespace Catena
       const auto               load_jacobian = [&]() {
         for (auto &row : J)
           for (Pack &entry : row)
-            entry = load<dim>(numbers);
+            entry = numbers.next();
       };
       if (!curved)
         load_jacobian();
@@ -391,13 +419,13 @@ namespace Catena
         {
           if (curved)
             load_jacobian();
-          const Pack                        JxW = load<dim>(numbers);
+          const Pack                        JxW = numbers.next();
           const SymmetricPacks<dim, Number> H(numbers);
           const auto L = velocity_gradient<dim, Number>(lambda, J, gradients);
           auto       stress = viscous_stress<dim, Number, transposed>(L, H);
           if (with_tangents)
             {
-              const Pack                        factor = load<dim>(numbers);
+              const Pack                        factor = numbers.next();
               const SymmetricPacks<dim, Number> B(numbers);
               add_tangent<dim, Number>(stress, L, factor, B);
             }

@@ -4,6 +4,7 @@
 #include <catena/flow/coarse_inverse.h>
 #include <catena/flow/multigrid_level.h>
 #include <catena/flow/node_matrix.h>
+#include <catena/flow/prolongation.h>
 
 #include <memory>
 #include <vector>
@@ -22,12 +23,12 @@ namespace Catena
   public:
     /**
      * @param matrix the operator A of the finer level
-     * @param prolongation the rows of P of this rank's nodes
+     * @param prolongation_rows the rows of P of this rank's nodes
      * @param masks which fields have an unknown, by node of the coarser level;
      * a field without any is not corrected
      */
     CoarseCorrection(const NodeMatrix             &matrix,
-                     const SparseRows             &prolongation,
+                     const SparseRows             &prolongation_rows,
                      const std::vector<FieldMask> &masks,
                      const MPI_Comm                communicator);
 
@@ -36,7 +37,7 @@ namespace Catena
     correct(NodeVector &solution, const NodeVector &residual) const;
 
   private:
-    NodeMatrix                        prolongation;
+    Prolongation                      prolongation;
     std::unique_ptr<MultigridLevel>   level;
     std::unique_ptr<CoarseCorrection> coarser;
     /// in place of a level and what is coarser

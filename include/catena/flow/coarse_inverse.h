@@ -2,7 +2,6 @@
 #define catena_flow_coarse_inverse_h
 
 #include <catena/flow/node_matrix.h>
-#include <catena/flow/smoothed_aggregation.h>
 
 #include <deal.II/base/aligned_vector.h>
 

@@ -8,7 +8,6 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/partitioner.h>
 
-#include <memory>
 #include <vector>
 
 namespace Catena
@@ -28,9 +27,11 @@ namespace Catena
    *
    *   int (L H + H L^T + k (B:L) B - p I) : grad v,   -int q div u
    *
-   * with the coefficients of StressCoefficients.
+   * with the coefficients of StressCoefficients. What is known of the cells is
+   * kept in single precision, and what that leaves of it apart: products in
+   * single precision read half of what those in double do.
    */
-  template <int dim, typename Number>
+  template <int dim>
   class FlowCells
   {
   public:
@@ -54,40 +55,34 @@ namespace Catena
         const std::vector<typename CellValues<dim>::PointValues> &points,
         const std::vector<StressCoefficients<dim>>               &coefficients);
 
-    /// Take over what was set there, in this precision. No cell can be set here
-    /// then.
-    template <typename OtherNumber>
-    void
-    copy(const FlowCells<dim, OtherNumber> &other);
-
     /**
      * Add the sums to @p dst, by node: those of the velocities v and of the
      * pressure q. @p src has what the nodes are given.
      */
+    template <typename Number>
     void
     add_product(Number *dst, const Number *src) const;
 
     /// With the roles of u, p and v, q exchanged.
+    template <typename Number>
     void
     add_transposed_product(Number *dst, const Number *src) const;
 
     /// Bytes that a product reads, but for the values at the nodes.
+    template <typename Number>
     std::size_t
     memory_consumption() const;
 
   private:
-    template <int, typename>
-    friend class FlowCells;
-
     /// Owned cells that have the same quadrature rule; the last one is repeated
     /// where there are too few to be computed at once.
     struct Group
     {
       bool curved;
       /// by batch, node and cell, the local numbers of the nodes
-      std::shared_ptr<const std::vector<unsigned int>> nodes;
-      /// by batch, number and cell
-      std::vector<Number> numbers;
+      std::vector<unsigned int> nodes;
+      /// by batch, number and cell, and what they are short of
+      std::vector<float> numbers, remainders;
     };
 
     /// Where a cell is: its group, and its place among the group's cells.
@@ -107,7 +102,7 @@ namespace Catena
     void
     resize();
 
-    template <bool transposed>
+    template <bool transposed, typename Number>
     void
     add(Number *dst, const Number *src) const;
   };

@@ -87,9 +87,9 @@ namespace Catena
 
   private:
     using MassInverse =
-      dealii::PreconditionChebyshev<dealii::TrilinosWrappers::SparseMatrix,
-                                    VectorType,
-                                    dealii::DiagonalMatrix<VectorType>>;
+      dealii::PreconditionChebyshev<BlockMatrix<1>,
+                                    FastVectorType,
+                                    dealii::DiagonalMatrix<FastVectorType>>;
 
     const FlowSystem<dim>             *system   = nullptr;
     const PreconditionerMatrices<dim> *matrices = nullptr;
@@ -104,7 +104,6 @@ namespace Catena
     dealii::FullMatrix<double>  rigid_schur, small_inverse;
 
     mutable FastVectorType velocity_src;
-    mutable VectorType     pressure_dst, pressure_src;
 
     /// dst = A^-1 src, approximately
     void

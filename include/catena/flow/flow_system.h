@@ -84,9 +84,8 @@ namespace Catena
 
     const MovingMesh<dim> &mesh;
 
-    /// What is known of the cells in double precision, and in single.
-    FlowCells<dim, double> cells;
-    FlowCells<dim, float>  fast_cells;
+    /// What is known of the cells.
+    FlowCells<dim> cells;
     /// By local node, the part of this rank of int v_x; pressure-driven only.
     std::vector<double> node_volumes;
     /// int q.
@@ -181,7 +180,6 @@ namespace Catena
     std::vector<unsigned int>     vertex_nodes;
     std::vector<CoupledNode>      coupled_nodes;
     std::vector<NodeMotion>       node_motions;
-    bool                          has_coupled_nodes = false;
     std::vector<IdentifiedVertex> identified_vertices;
 
     mutable NodeFields<double> fields;

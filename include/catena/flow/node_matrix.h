@@ -2,6 +2,7 @@
 #define catena_flow_node_matrix_h
 
 #include <catena/base/types.h>
+#include <catena/flow/block_pattern.h>
 
 #include <deal.II/base/partitioner.h>
 
@@ -104,7 +105,11 @@ namespace Catena
      * @param nodes the nodes that are the columns; those of other ranks in
      * @p rows are among its ghosts
      */
-    NodeMatrix(SparseRows rows, std::shared_ptr<const Partitioner> nodes);
+    NodeMatrix(const SparseRows                  &rows,
+               std::shared_ptr<const Partitioner> nodes);
+
+    /// @param entries by pair of nodes in the pattern
+    NodeMatrix(const BlockPattern &pattern, const std::vector<float> &entries);
 
     unsigned int
     n_rows() const
@@ -203,19 +208,15 @@ namespace Catena
         dst[*column] += *value * src;
     }
 
-    /// dst += A^T src, where the sums of ghosts are left to be compressed.
-    void
-    add_transposed(Lanes *dst, const Lanes *src) const
-    {
-      for (unsigned int i = 0; i < n_rows(); ++i)
-        add_transposed_row(i, src[i], dst);
-    }
-
   private:
     static constexpr unsigned int stride = 4;
 
     SparseRows                         rows;
     std::shared_ptr<const Partitioner> nodes;
+
+    /// Room for rows that have so many entries without the zeros.
+    void
+    reserve(const std::vector<unsigned int> &starts);
 
     /// With zeros up to a multiple of the stride.
     void

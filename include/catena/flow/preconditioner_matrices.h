@@ -1,13 +1,10 @@
 #ifndef catena_flow_preconditioner_matrices_h
 #define catena_flow_preconditioner_matrices_h
 
-#include <catena/base/csr_access.h>
 #include <catena/flow/block_matrix.h>
 #include <catena/flow/flow_element.h>
 #include <catena/flow/node_couplings.h>
 #include <catena/mesh/moving_mesh.h>
-
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <memory>
 #include <vector>
@@ -51,7 +48,7 @@ namespace Catena
     BlockMatrix<dim> gradient;
 
     /// int p q / viscosity, the Schur complement's approximation.
-    dealii::TrilinosWrappers::SparseMatrix pressure_mass;
+    BlockMatrix<1> pressure_mass;
 
     /**
      * Scalar operators int grad v . (H grad u) on the nodes, one for each
@@ -82,7 +79,6 @@ namespace Catena
     const MovingMesh<dim>                &mesh;
     const std::vector<NodeCoupling<dim>> &couplings;
     std::shared_ptr<const BlockPattern>   node_pattern;
-    CsrAccess                             mass_access;
 
     void
     make_patterns();

@@ -3,7 +3,6 @@
 
 #include <catena/flow/node_couplings.h>
 #include <catena/flow/node_matrix.h>
-#include <catena/flow/smoothed_aggregation.h>
 
 namespace Catena
 {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace Catena
 {
@@ -68,12 +69,12 @@ namespace Catena
     clear();
 
     /**
-     * Write @p content, that of process 0, as the state at @p strain.
+     * Write what process 0 has in @p pieces as the state at @p strain.
      * Collective.
      * @throws CheckpointError if that fails; the one before is still there
      */
     void
-    write(const std::string &content, const double strain);
+    write(std::vector<std::string> pieces, const double strain);
 
     /**
      * The last usable content, the same on all processes. Collective.
