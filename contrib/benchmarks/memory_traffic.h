@@ -50,8 +50,8 @@ namespace Catena
                       const double                     iterations)
   {
     constexpr double index = 4., single = 4., whole = 8.;
-    constexpr double sweeps = 2., mass_sweeps = 4., earlier_solutions = 4.,
-                     residuals = 2.;
+    constexpr double sweeps = 2., mass_sweeps = 3., earlier_solutions = 4.,
+                     residuals = 2., longest_basis = 40.;
     // the right-hand side is read or written, residual and solution are read
     // and written, the diagonal is read
     constexpr double vectors_of_a_sweep = 6.;
@@ -65,16 +65,17 @@ namespace Catena
 
     // read what the nodes are given, write what they get
     const double node_vector = n_node_numbers * nodes,
-                 product     = system.cells.memory_consumption<double>() +
+                 product     = system.cells.bytes_of_a_product<double>() +
                            2. * node_vector * whole,
-                 fast_product = system.cells.memory_consumption<float>() +
+                 fast_product = system.cells.bytes_of_a_product<float>() +
                                 2. * node_vector * single;
     const double sweep = (pairs - nodes) / 2. * (single + index) +
                          vectors_of_a_sweep * node_vector * single;
     const double preconditioner = gradient * (3. * single + index) +
                                   mass_sweeps * mass * (single + index) +
                                   sweeps * sweep;
-    const double basis = 2. * iterations / 2. * unknowns * single;
+    const double basis =
+      std::min(iterations, longest_basis) * unknowns * single;
     return iterations * (fast_product + preconditioner + basis) +
            (1. + earlier_solutions) * fast_product + residuals * product;
   }

@@ -34,7 +34,10 @@ namespace Catena
     while (size > 0)
       {
         if (saved.empty() || saved.back().size() == size_of_piece)
-          saved.emplace_back();
+          {
+            saved.emplace_back();
+            saved.back().reserve(size_of_piece);
+          }
         std::string      &piece = saved.back();
         const std::size_t n     = std::min(size, size_of_piece - piece.size());
         piece.append(data, n);

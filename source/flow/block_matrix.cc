@@ -84,6 +84,7 @@ namespace Catena
   BlockMatrix<n_rows>::el(const unsigned int i, const unsigned int j) const
   {
     const unsigned int row = block_pattern->row(i / n_rows);
+    Assert(row != BlockPattern::absent, ExcInternalError());
     return block(block_pattern->row_start(row) +
                  block_pattern->offset(row, j))[i % n_rows];
   }

@@ -16,6 +16,7 @@ namespace Catena
     : first_row(rows.n_elements() > 0 ? rows.nth_index_in_set(0) : 0)
     , starts(rows.n_elements() + 1, 0)
   {
+    AssertDimension(cell_rows.n_cells(), cell_columns.n_cells());
     // the cells of each row, and columns that other ranks own
     const unsigned int                   n_cells = cell_rows.n_cells();
     std::vector<unsigned int>            n_cells_before(n_rows() + 1, 0);

@@ -58,7 +58,7 @@ namespace Catena
     NodeVector &x = level ? level->solution : coarse_solution;
 
     r = 0.f;
-    prolongation.add_transposed(lanes(r), lanes(residual));
+    prolongation.add_transposed_product(lanes(r), lanes(residual));
     r.compress(VectorOperation::add);
     if (level)
       {

@@ -2,6 +2,7 @@
 #include <catena/flow/flow_cells.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace Catena
 {
@@ -189,7 +190,7 @@ namespace Catena
   template <int dim>
   template <typename Number>
   std::size_t
-  FlowCells<dim>::memory_consumption() const
+  FlowCells<dim>::bytes_of_a_product() const
   {
     std::size_t bytes = 0;
     for (const Group &group : groups)
@@ -204,7 +205,7 @@ namespace Catena
   template void FlowCells<dim>::add_product(Number *, const Number *) const;  \
   template void FlowCells<dim>::add_transposed_product(Number *,              \
                                                        const Number *) const; \
-  template std::size_t FlowCells<dim>::memory_consumption<Number>() const;
+  template std::size_t FlowCells<dim>::bytes_of_a_product<Number>() const;
   template class FlowCells<2>;
   template class FlowCells<3>;
   INSTANTIATE(2, double)

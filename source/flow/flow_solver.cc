@@ -61,9 +61,10 @@ namespace Catena
     /// of the wanted residual, what single precision aims at
     constexpr double solver_share = 0.9;
 
-    /// iterations whose basis is kept: most solutions take fewer, and it takes
-    /// more memory than all else that a step needs
-    constexpr unsigned int basis_size = 40;
+    /// iterations after which the residual is found anew, in double precision:
+    /// most solutions take fewer, and the basis of more takes a quarter of the
+    /// memory of a run
+    constexpr unsigned int basis_size = 30;
   } // namespace
 
 
@@ -237,7 +238,6 @@ namespace Catena
       residual.sadd(-1., 1., rhs);
       return residual.l2_norm();
     };
-    // the basis takes more than what else a step needs
     const auto release =
       GrowingVectorMemory<FastBlockVectorType>::release_unused_memory;
     const bool   is_of_an_instant = wanted_residual == 0.;
@@ -258,11 +258,14 @@ namespace Catena
         FastBlockVectorType fast_residual, fast_correction;
         fast_residual = residual;
         fast_correction.reinit(fast_residual);
-        SolverControl control(parameters.max_iterations - iterations,
+        const unsigned int n_left = parameters.max_iterations - iterations;
+        SolverControl      control(std::min(n_left, basis_size),
                               std::max(solver_share * wanted / norm,
                                        largest_reduction));
+        // of the basis deal.II leaves one vector unused
         typename SolverFGMRES<FastBlockVectorType>::AdditionalData data(
-          basis_size);
+          basis_size + 1);
+        bool is_complete = true;
         try
           {
             SolverFGMRES<FastBlockVectorType>(control, data)
@@ -273,16 +276,22 @@ namespace Catena
           }
         catch (const SolverControl::NoConvergence &failure)
           {
-            release();
-            throw SolverControl::NoConvergence(iterations + failure.last_step,
-                                               norm * failure.last_residual);
+            if (n_left <= basis_size)
+              {
+                release();
+                throw SolverControl::NoConvergence(
+                  iterations + failure.last_step, norm * failure.last_residual);
+              }
+            // as far as the basis goes: the correction is what it gives
+            is_complete = false;
           }
         release();
         iterations += control.last_step();
         correction = fast_correction;
         solution.add(norm, correction);
         const double last_norm = std::exchange(norm, find_residual());
-        if (!(norm < smallest_progress * last_norm) && !(norm <= wanted))
+        const double progress  = is_complete ? smallest_progress : 1.;
+        if (!(norm < progress * last_norm) && !(norm <= wanted))
           throw SolverControl::NoConvergence(iterations, norm);
       }
     decades = std::log10(first_norm / norm);

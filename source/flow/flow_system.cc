@@ -15,8 +15,9 @@ namespace Catena
   {
     constexpr unsigned int n = n_node_numbers;
 
-    /// Rounding in double precision against that in single, with some reserve.
-    constexpr double double_to_single = 1e-8;
+    /// Rounding in double precision, with coefficients to 2^-49, against that
+    /// in single, 2^-24, with some reserve.
+    constexpr double double_to_single = 1e-7;
   } // namespace
 
 
@@ -73,6 +74,7 @@ namespace Catena
   {
     coupled_nodes.clear();
     node_motions.clear();
+    has_coupled_nodes          = true;
     const unsigned int n_nodes = node_partitioner.locally_owned_size() +
                                  node_partitioner.n_ghost_indices();
     const auto is_one = [](const double factor) { return factor == 1.; };
@@ -115,15 +117,9 @@ namespace Catena
         for (const unsigned int node : cell.nodes)
           add(node);
     IndexSet set(found.size());
-    for (unsigned int begin = 0; begin < found.size(); ++begin)
-      if (found[begin])
-        {
-          unsigned int end = begin;
-          while (end < found.size() && found[end])
-            ++end;
-          set.add_range(begin, end);
-          begin = end;
-        }
+    for (unsigned int node = 0; node < found.size(); ++node)
+      if (found[node])
+        set.add_index(node);
     set.compress();
     return set;
   }
@@ -276,6 +272,7 @@ namespace Catena
                             const Unknowns<Vector>  &src,
                             const AddCells          &add_cells) const
   {
+    Assert(has_coupled_nodes, ExcNotInitialized());
     give_nodes(fields.given, src);
     fields.sums = 0.;
     add_cells(fields.sums.begin(), fields.given.begin());

@@ -12,8 +12,13 @@ namespace Catena
 
   namespace
   {
-    /// Of a node without an unknown.
-    constexpr unsigned int no_master = numbers::invalid_unsigned_int;
+    /// Whose equation a node's part belongs to.
+    template <int dim>
+    unsigned int
+    master_or_absent(const NodeCoupling<dim> &coupling)
+    {
+      return coupling.has_unknown() ? coupling.master : CellNodes::absent;
+    }
 
 
 
@@ -25,14 +30,15 @@ namespace Catena
     class PatternPlaces
     {
     public:
-      /// @param columns nodes, or no_master
+      /// @param columns nodes, or absent
       PatternPlaces(const BlockPattern                &pattern,
                     const std::array<unsigned int, n> &columns)
         : pattern(pattern)
       {
+        const auto &nodes = *pattern.column_nodes();
         for (unsigned int i = 0; i < n; ++i)
-          if (columns[i] != no_master)
-            insert({pattern.column_nodes()->global_to_local(columns[i]), i});
+          if (columns[i] != CellNodes::absent)
+            insert({nodes.global_to_local(columns[i]), i});
       }
 
       /// Call @p action with the number of each column and of its block.
@@ -89,12 +95,12 @@ namespace Catena
   PreconditionerMatrices<dim>::make_patterns()
   {
     CellNodes masters{n_nodes}, vertices{n_vertices};
+    masters.nodes.reserve(n_nodes * mesh.cells().size());
+    vertices.nodes.reserve(n_vertices * mesh.cells().size());
     for (const auto &cell : mesh.cells())
       {
         for (const unsigned int node : cell.nodes)
-          masters.nodes.push_back(couplings[node].has_unknown() ?
-                                    couplings[node].master :
-                                    CellNodes::absent);
+          masters.nodes.push_back(master_or_absent(couplings[node]));
         for (const unsigned int vertex : cell.vertices)
           vertices.nodes.push_back(mesh.vertex_master(vertex));
       }
@@ -219,9 +225,8 @@ namespace Catena
     for (unsigned int a = 0; a < n_nodes; ++a)
       {
         const NodeCoupling<dim> &coupling = couplings[cell.nodes[a]];
-        masters[a] = coupling.has_unknown() ? coupling.master : no_master;
-        rows[a] = coupling.has_unknown() ? node_pattern->row(coupling.master) :
-                                           BlockPattern::absent;
+        masters[a]                        = master_or_absent(coupling);
+        rows[a]                           = node_pattern->row(masters[a]);
         for (unsigned int g = 0; g < n_groups; ++g)
           factors[g][a] =
             coupling.shared_factor(component_matrices[g].components);

@@ -8,8 +8,6 @@ namespace Catena
   {
     for (unsigned int &column : rows.columns)
       column = nodes.global_to_local(column);
-    rows.columns.shrink_to_fit();
-    rows.values.shrink_to_fit();
   }
 
 
@@ -31,7 +29,7 @@ namespace Catena
 
 
   void
-  Prolongation::add_transposed(Lanes *coarse, const Lanes *fine) const
+  Prolongation::add_transposed_product(Lanes *coarse, const Lanes *fine) const
   {
     const unsigned int *column = rows.columns.data();
     const float        *value  = rows.values.data();

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
 namespace Catena
 {
@@ -147,16 +148,17 @@ namespace Catena
         {
           if (!std::filesystem::exists(slot(n)))
             continue;
-          const std::string bytes = CheckedFile::read(slot(n), version);
-          std::uint64_t     found;
-          double            strain;
-          Archive           head(bytes);
+          std::string           bytes = CheckedFile::read(slot(n), version);
+          std::uint64_t         found;
+          double                strain;
+          constexpr std::size_t head_length = sizeof(found) + sizeof(strain);
+          Archive               head(bytes.substr(0, head_length));
           head(found, strain);
           if (best.empty() || found > number)
             {
               number      = found;
               last_strain = strain;
-              best        = bytes.substr(sizeof(found) + sizeof(strain));
+              best        = std::move(bytes.erase(0, head_length));
             }
         }
       catch (const CheckpointError &error)

@@ -36,8 +36,8 @@ namespace Catena
     Archive() = default;
 
     /// An archive to load from.
-    explicit Archive(const std::string &bytes)
-      : content(bytes)
+    explicit Archive(std::string bytes)
+      : content(std::move(bytes))
       , loading(true)
     {}
 
@@ -47,7 +47,7 @@ namespace Catena
       return loading;
     }
 
-    /// All that has been saved.
+    /// All that has been saved to this archive.
     std::string
     bytes() const;
 

@@ -65,14 +65,14 @@ namespace Catena
     void
     vmult(FastVectorType &dst, const FastVectorType &src) const;
 
-    /// Number of all rows, of a matrix from a field to itself.
+    /// Number of rows of all ranks, of a matrix from nodes to the same nodes.
     std::size_t
     m() const
     {
-      return block_pattern->column_nodes()->size();
+      return n_rows * block_pattern->column_nodes()->size();
     }
 
-    /// Entry of a row of this rank, if the pattern has it.
+    /// An entry, which is in the pattern and in a row of this rank.
     float
     el(const unsigned int i, const unsigned int j) const;
 

@@ -50,8 +50,7 @@ namespace Catena
     using Partitioner = dealii::Utilities::MPI::Partitioner;
 
     /// No row of this rank.
-    static constexpr unsigned int absent =
-      dealii::numbers::invalid_unsigned_int;
+    static constexpr unsigned int absent = CellNodes::absent;
 
     /**
      * Couple the nodes of the same cell.
@@ -100,7 +99,7 @@ namespace Catena
     }
 
     /// The nodes that are the columns; those of other ranks are ghosts.
-    std::shared_ptr<const Partitioner>
+    const std::shared_ptr<const Partitioner> &
     column_nodes() const
     {
       return nodes;

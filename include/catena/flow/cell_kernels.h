@@ -62,8 +62,8 @@ namespace Catena
       std::experimental::simd_abi::deduce_t<Number, int(cells_at_once)>>;
 
     /**
-     * What is known of a batch, number by number: in single precision, and with
-     * what that has left in double.
+     * What is known of a batch, number by number: in single precision the first
+     * part of each number alone, in double the sum of both.
      */
     template <int dim, typename Number>
     class CellNumbers

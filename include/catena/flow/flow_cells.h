@@ -28,8 +28,8 @@ namespace Catena
    *   int (L H + H L^T + k (B:L) B - p I) : grad v,   -int q div u
    *
    * with the coefficients of StressCoefficients. What is known of the cells is
-   * kept in single precision, and what that leaves of it apart: products in
-   * single precision read half of what those in double do.
+   * kept as a sum of two numbers in single precision, to 2e-15: products in
+   * double precision read both, those in single the first.
    */
   template <int dim>
   class FlowCells
@@ -71,7 +71,7 @@ namespace Catena
     /// Bytes that a product reads, but for the values at the nodes.
     template <typename Number>
     std::size_t
-    memory_consumption() const;
+    bytes_of_a_product() const;
 
   private:
     /// Owned cells that have the same quadrature rule; the last one is repeated
@@ -81,7 +81,7 @@ namespace Catena
       bool curved;
       /// by batch, node and cell, the local numbers of the nodes
       std::vector<unsigned int> nodes;
-      /// by batch, number and cell, and what they are short of
+      /// by batch, number and cell: a value is the sum of both
       std::vector<float> numbers, remainders;
     };
 

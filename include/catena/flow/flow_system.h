@@ -180,6 +180,7 @@ namespace Catena
     std::vector<unsigned int>     vertex_nodes;
     std::vector<CoupledNode>      coupled_nodes;
     std::vector<NodeMotion>       node_motions;
+    bool                          has_coupled_nodes = false;
     std::vector<IdentifiedVertex> identified_vertices;
 
     mutable NodeFields<double> fields;

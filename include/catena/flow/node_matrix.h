@@ -42,7 +42,8 @@ namespace Catena
 
 
   /**
-   * Consecutive rows of a sparse matrix, the columns in global numbers.
+   * Consecutive rows of a sparse matrix, the columns in global numbers unless
+   * said otherwise.
    */
   struct SparseRows
   {
@@ -89,7 +90,7 @@ namespace Catena
 
 
   /**
-   * A sparse matrix in single precision between the nodes of two levels, the
+   * A sparse matrix in single precision between the nodes of a level, the
    * same for all fields, with its rows distributed over the ranks. Each row has
    * a multiple of four entries; what it lacks are zeros in its last column.
    */

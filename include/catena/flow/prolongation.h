@@ -3,8 +3,6 @@
 
 #include <catena/flow/node_matrix.h>
 
-#include <memory>
-
 namespace Catena
 {
   /**
@@ -31,7 +29,7 @@ namespace Catena
 
     /// coarse += P^T fine, where the sums of ghosts are left to be compressed.
     void
-    add_transposed(Lanes *coarse, const Lanes *fine) const;
+    add_transposed_product(Lanes *coarse, const Lanes *fine) const;
 
   private:
     /// with local numbers of columns
