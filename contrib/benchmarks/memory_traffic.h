@@ -5,6 +5,7 @@
 #include <catena/flow/preconditioner_matrices.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -51,7 +52,7 @@ namespace Catena
   {
     constexpr double index = 4., single = 4., whole = 8.;
     constexpr double sweeps = 2., mass_sweeps = 3., earlier_solutions = 4.,
-                     residuals = 2., longest_basis = 40.;
+                     residuals = 2., basis_size = 30.;
     // the right-hand side is read or written, residual and solution are read
     // and written, the diagonal is read
     constexpr double vectors_of_a_sweep = 6.;
@@ -74,9 +75,11 @@ namespace Catena
     const double preconditioner = gradient * (3. * single + index) +
                                   mass_sweeps * mass * (single + index) +
                                   sweeps * sweep;
+    const double cycles = std::floor(iterations / basis_size),
+                 rest   = iterations - cycles * basis_size;
     const double basis =
-      std::min(iterations, longest_basis) * unknowns * single;
-    return iterations * (fast_product + preconditioner + basis) +
+      (cycles * basis_size * basis_size + rest * rest) * unknowns * single;
+    return iterations * (fast_product + preconditioner) + basis +
            (1. + earlier_solutions) * fast_product + residuals * product;
   }
 } // namespace Catena
