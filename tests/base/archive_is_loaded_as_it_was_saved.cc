@@ -1,5 +1,5 @@
-// Values, more of them than a piece of an archive holds, saved and loaded again,
-// through a file in pieces, too.
+// Values, more of them than a piece of an archive holds, saved and loaded
+// again, through a file in pieces, too.
 
 #include <catena/base/archive.h>
 #include <catena/base/checked_file.h>
