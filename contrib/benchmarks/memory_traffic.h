@@ -1,6 +1,7 @@
 #ifndef catena_contrib_benchmarks_memory_traffic_h
 #define catena_contrib_benchmarks_memory_traffic_h
 
+#include <catena/flow/flow_solver.h>
 #include <catena/flow/flow_system.h>
 #include <catena/flow/preconditioner_matrices.h>
 
@@ -52,7 +53,8 @@ namespace Catena
   {
     constexpr double index = 4., single = 4., whole = 8.;
     constexpr double sweeps = 2., mass_sweeps = 3., earlier_solutions = 4.,
-                     residuals = 2., basis_size = 30.;
+                     residuals  = 2.;
+    constexpr double basis_size = FlowSolver<3>::basis_size;
     // the right-hand side is read or written, residual and solution are read
     // and written, the diagonal is read
     constexpr double vectors_of_a_sweep = 6.;

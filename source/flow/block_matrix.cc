@@ -45,24 +45,24 @@ namespace Catena
 
 
   template <int n_rows>
+  template <typename Action>
   void
-  BlockMatrix<n_rows>::vmult_add(FastVectorType       &dst,
-                                 const FastVectorType &src) const
+  BlockMatrix<n_rows>::multiply(const FastVectorType &src,
+                                const Action         &action) const
   {
     const float *const        x       = column_values(src);
     const unsigned int *const columns = block_pattern->local_columns();
     const float              *entry   = entries.data();
-    float                    *y       = dst.begin();
     for (unsigned int row = 0; row < block_pattern->n_rows(); ++row)
       {
-        std::array<double, n_rows> sums = {};
+        std::array<float, n_rows> sums = {};
         for (unsigned int k = block_pattern->row_start(row);
              k < block_pattern->row_start(row + 1);
              ++k, entry += n_rows)
           for (unsigned int r = 0; r < n_rows; ++r)
             sums[r] += entry[r] * x[columns[k]];
-        for (const double sum : sums)
-          *y++ += sum;
+        for (unsigned int r = 0; r < n_rows; ++r)
+          action(n_rows * row + r, sums[r]);
       }
   }
 
@@ -73,8 +73,24 @@ namespace Catena
   BlockMatrix<n_rows>::vmult(FastVectorType       &dst,
                              const FastVectorType &src) const
   {
-    dst = 0.f;
-    vmult_add(dst, src);
+    float *const y = dst.begin();
+    multiply(src,
+             [y](const unsigned int row, const float sum) { y[row] = sum; });
+  }
+
+
+
+  template <int n_rows>
+  void
+  BlockMatrix<n_rows>::residual(FastVectorType       &dst,
+                                const FastVectorType &src,
+                                const FastVectorType &rhs) const
+  {
+    float *const       y = dst.begin();
+    const float *const b = rhs.begin();
+    multiply(src, [y, b](const unsigned int row, const float sum) {
+      y[row] = b[row] - sum;
+    });
   }
 
 

@@ -19,33 +19,59 @@ namespace Catena
 
 
 
-  CoarseCorrection::CoarseCorrection(const NodeMatrix &matrix,
-                                     const SparseRows &prolongation_rows,
-                                     const std::vector<FieldMask> &masks,
-                                     const MPI_Comm                comm)
+  CoarseCorrection::CoarseCorrection(
+    const std::vector<FieldOperator> &operators,
+    const std::vector<FieldMask>     &masks,
+    const MPI_Comm                    comm)
   {
-    const SparseRows product =
-      galerkin_product(matrix, prolongation_rows, masks.size());
-    const auto nodes =
-      make_nodes(masks.size(), {&product, &prolongation_rows}, comm);
-    prolongation = Prolongation(prolongation_rows, *nodes);
-    if (nodes->size() <= n_coarsest)
+    std::vector<SparseRows>              products;
+    std::vector<Prolongation::FieldRows> prolongations;
+    std::vector<const SparseRows *>      all_rows;
+    for (const FieldOperator &some : operators)
       {
-        inverse = std::make_unique<CoarseInverse>(product, masks, *nodes);
+        products.push_back(
+          galerkin_product(*some.matrix, *some.prolongation, masks.size()));
+        prolongations.push_back({some.fields, some.prolongation});
+        all_rows.push_back(some.prolongation);
+      }
+    for (const SparseRows &product : products)
+      all_rows.push_back(&product);
+    const auto nodes = make_nodes(masks.size(), all_rows, comm);
+    prolongation     = Prolongation(prolongations, *nodes);
+    if (operators.size() == 1 && nodes->size() <= n_coarsest)
+      {
+        inverse =
+          std::make_unique<CoarseInverse>(products.front(), masks, *nodes);
         reinit(coarse_solution, *nodes);
         reinit(coarse_residual, *nodes);
         return;
       }
-    const NodeMatrix coarse_matrix(product, nodes);
-    level = std::make_unique<MultigridLevel>(coarse_matrix, masks);
-    const SmoothedAggregation aggregation(coarse_matrix, masks);
-    const unsigned int        n_coarser =
-      Utilities::MPI::sum<unsigned int>(aggregation.masks.size(), comm);
-    if (n_coarser < worst_reduction * nodes->size())
-      coarser = std::make_unique<CoarseCorrection>(coarse_matrix,
-                                                   aggregation.prolongation,
-                                                   aggregation.masks,
-                                                   comm);
+
+    const NodeMatrix                      shared(products.front(), nodes);
+    std::vector<LaneEntries::FieldMatrix> others;
+    for (unsigned int g = 1; g < operators.size(); ++g)
+      others.push_back({operators[g].fields, NodeMatrix(products[g], nodes)});
+    level =
+      std::make_unique<MultigridLevel>(shared,
+                                       masks,
+                                       LaneEntries(shared, others, masks));
+    for (unsigned int g = 0; g < operators.size(); ++g)
+      {
+        const FieldMask        fields = operators[g].fields;
+        const NodeMatrix      &matrix = g == 0 ? shared : others[g - 1].matrix;
+        std::vector<FieldMask> field_masks;
+        for (const FieldMask mask : masks)
+          field_masks.push_back(mask & fields);
+        const SmoothedAggregation aggregation(matrix, field_masks);
+        const unsigned int        n_coarser =
+          Utilities::MPI::sum<unsigned int>(aggregation.masks.size(), comm);
+        if (n_coarser < worst_reduction * nodes->size())
+          coarser.emplace_back(
+            std::vector<FieldOperator>{
+              {fields, &matrix, &aggregation.prolongation}},
+            aggregation.masks,
+            comm);
+      }
   }
 
 
@@ -63,8 +89,8 @@ namespace Catena
     if (level)
       {
         level->smooth_from_zero();
-        if (coarser)
-          coarser->correct(x, r);
+        for (const CoarseCorrection &correction : coarser)
+          correction.correct(x, r);
         level->smooth_corrected();
       }
     else

@@ -60,10 +60,6 @@ namespace Catena
 
     /// of the wanted residual, what single precision aims at
     constexpr double solver_share = 0.9;
-
-    /// iterations after which the residual is found anew, in double precision:
-    /// most solutions take fewer, and each more takes two vectors
-    constexpr unsigned int basis_size = 30;
   } // namespace
 
 

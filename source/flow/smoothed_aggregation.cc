@@ -15,8 +15,6 @@ namespace Catena
     /// theta, above which a coupling is strong
     constexpr float strong_coupling = 0.04f;
 
-    constexpr unsigned int none = numbers::invalid_unsigned_int;
-
     /// The highest mode can be one of few elements, which is found slowly.
     constexpr unsigned int n_power_iterations = 20;
 
@@ -93,7 +91,8 @@ namespace Catena
                       counts.begin() + Utilities::MPI::this_mpi_process(comm),
                       0U);
     for (unsigned int &a : aggregates)
-      a += first;
+      if (a != none)
+        a += first;
     aggregates = with_ghosts(aggregates, nodes);
 
     FieldMask all = 0;
@@ -106,14 +105,17 @@ namespace Catena
     std::vector<std::pair<unsigned int, float>> row;
     for (unsigned int i = 0; i < matrix.n_rows(); ++i)
       {
-        row.assign(1, {aggregates[i], 1.f});
+        row.clear();
+        if (aggregates[i] != none)
+          row.push_back({aggregates[i], 1.f});
         if (node_masks[i] == all)
           {
             const float weight = omega / diagonal[i];
             const auto  range  = matrix.row(i);
             for (unsigned int k = range.first; k < range.second; ++k)
-              row.emplace_back(aggregates[matrix.column(k)],
-                               -weight * matrix.value(k));
+              if (aggregates[matrix.column(k)] != none)
+                row.emplace_back(aggregates[matrix.column(k)],
+                                 -weight * matrix.value(k));
             std::sort(row.begin(), row.end(), [](const auto &a, const auto &b) {
               return a.first < b.first;
             });
@@ -148,7 +150,7 @@ namespace Catena
     std::vector<unsigned int> aggregates(n, none);
     for (unsigned int i = 0; i < n; ++i)
       {
-        if (aggregates[i] != none)
+        if (aggregates[i] != none || node_masks[i] == 0)
           continue;
         const auto range = matrix.row(i);
         bool       free  = true;

@@ -11,38 +11,34 @@ namespace Catena
     const std::vector<NodeCoupling<dim>> &couplings,
     const PreconditionerMatrices<dim>    &matrices)
   {
-    const MPI_Comm   comm = mesh.communicator();
-    const NodeMatrix shared(matrices.node_pairs(),
-                            matrices.component_matrices.front().entries);
-
-    std::vector<FieldMask>                masks(shared.n_rows(), 0);
-    std::vector<LaneEntries::FieldMatrix> others;
+    std::vector<std::vector<unsigned int>> groups;
+    std::vector<FieldMask>                 fields;
     for (const auto &group : matrices.component_matrices)
       {
-        const VertexInterpolation<dim> interpolation(mesh,
-                                                     couplings,
-                                                     group.components);
-        for (unsigned int i = 0; i < masks.size(); ++i)
-          masks[i] |= interpolation.node_masks[i];
-
-        const auto add_correction = [&](const NodeMatrix &matrix) {
-          corrections.emplace_back(matrix,
-                                   interpolation.prolongation,
-                                   interpolation.vertex_masks,
-                                   comm);
-        };
-        if (&group == &matrices.component_matrices.front())
-          {
-            add_correction(shared);
-            continue;
-          }
-        FieldMask fields = 0;
+        groups.push_back(group.components);
+        fields.push_back(0);
         for (const unsigned int component : group.components)
-          fields |= 1U << component;
-        others.push_back(
-          {fields, NodeMatrix(matrices.node_pairs(), group.entries)});
-        add_correction(others.back().matrix);
+          fields.back() |= 1U << component;
       }
+    const VertexInterpolation<dim> interpolation(mesh, couplings, groups);
+
+    const NodeMatrix                      shared(matrices.node_pairs(),
+                            matrices.component_matrices.front().entries);
+    std::vector<LaneEntries::FieldMatrix> others;
+    for (unsigned int g = 1; g < groups.size(); ++g)
+      others.push_back({fields[g],
+                        NodeMatrix(matrices.node_pairs(),
+                                   matrices.component_matrices[g].entries)});
+
+    std::vector<CoarseCorrection::FieldOperator> operators;
+    for (unsigned int g = 0; g < groups.size(); ++g)
+      operators.push_back({fields[g],
+                           g == 0 ? &shared : &others[g - 1].matrix,
+                           &interpolation.prolongations[g]});
+    correction        = std::make_unique<CoarseCorrection>(operators,
+                                                    interpolation.vertex_masks,
+                                                    mesh.communicator());
+    const auto &masks = interpolation.node_masks;
     finest =
       std::make_unique<MultigridLevel>(shared,
                                        masks,
@@ -63,8 +59,7 @@ namespace Catena
       for (unsigned int d = 0; d < dim; ++d)
         finest->residual.local_element(n_lanes * i + d) = from[dim * i + d];
     finest->smooth_from_zero();
-    for (const CoarseCorrection &correction : corrections)
-      correction.correct(finest->solution, finest->residual);
+    correction->correct(finest->solution, finest->residual);
     finest->smooth_corrected();
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int d = 0; d < dim; ++d)

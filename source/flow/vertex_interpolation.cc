@@ -10,14 +10,15 @@ namespace Catena
 
   template <int dim>
   VertexInterpolation<dim>::VertexInterpolation(
-    const MovingMesh<dim>                &mesh,
-    const std::vector<NodeCoupling<dim>> &couplings,
-    const std::vector<unsigned int>      &components)
+    const MovingMesh<dim>                        &mesh,
+    const std::vector<NodeCoupling<dim>>         &couplings,
+    const std::vector<std::vector<unsigned int>> &groups)
+    : prolongations(groups.size())
   {
     for (const auto node : mesh.owned_nodes())
       {
         FieldMask mask = 0;
-        for (const unsigned int component : components)
+        for (unsigned int component = 0; component < dim; ++component)
           if (couplings[node].is_unknown(node, component))
             mask |= 1U << component;
         node_masks.push_back(mask);
@@ -41,21 +42,23 @@ namespace Catena
         numbers(node) = next++;
     numbers.update_ghost_values();
 
-    i = 0;
-    for (const auto node : mesh.owned_nodes())
+    for (unsigned int g = 0; g < groups.size(); ++g)
       {
-        if (node_masks[i++] == 0)
-          {}
-        else if (mesh.is_vertex(node))
-          prolongation.add(numbers(node), 1.f);
-        else
-          for (const unsigned int end : mesh.edge_ends(node))
-            {
-              const double factor = couplings[end].shared_factor(components);
-              if (factor != 0.)
-                prolongation.add(numbers(couplings[end].master), 0.5 * factor);
-            }
-        prolongation.end_row();
+        SparseRows &rows = prolongations[g];
+        i                = 0;
+        for (const auto node : mesh.owned_nodes())
+          {
+            if (node_masks[i++] == 0)
+              {}
+            else if (mesh.is_vertex(node))
+              rows.add(numbers(node), 1.f);
+            else
+              for (const unsigned int end : mesh.edge_ends(node))
+                if (couplings[end].has_unknown())
+                  rows.add(numbers(couplings[end].master),
+                           0.5 * couplings[end].shared_factor(groups[g]));
+            rows.end_row();
+          }
       }
   }
 

@@ -40,9 +40,11 @@ namespace
                 const FastVectorType      &src,
                 FastVectorType             dst)
   {
-    dst = 1.;
-    matrix.vmult_add(dst, src);
-    matrix.vmult_add(dst, src);
+    FastVectorType product(dst), rhs(dst);
+    rhs = 1.;
+    matrix.vmult(product, src);
+    matrix.residual(dst, src, rhs);
+    dst -= product;
     const unsigned int n = src.size();
     FastVectorType     difference(dst);
     for (const auto row : dst.locally_owned_elements())
@@ -50,7 +52,7 @@ namespace
         difference(row) -= 1.;
         for (unsigned int column = 0; column < n; ++column)
           if (coupled(row / n_rows, column, n))
-            difference(row) -= 2. * entry(row, column) * source(column);
+            difference(row) += 2. * entry(row, column) * source(column);
       }
     return difference.linfty_norm();
   }
@@ -111,8 +113,7 @@ namespace
                 0.,
                 0.);
     matrix.clear();
-    dst = 0.;
-    matrix.vmult_add(dst, src);
+    matrix.vmult(dst, src);
     claims.near("without entries nothing is left" + shape,
                 dst.linfty_norm(),
                 0.,

@@ -256,7 +256,7 @@ namespace
     FastVectorType forces, pressure;
     forces.reinit(fast_product.block(0));
     pressure = x.block(1);
-    matrices.gradient.vmult_add(forces, pressure);
+    matrices.gradient.vmult(forces, pressure);
     fast_x          = 0.f;
     fast_x.block(1) = pressure;
     fast_system.vmult(fast_product, fast_x);

@@ -1,5 +1,5 @@
 // Interpolation from a coarser level and its transpose against sums over all
-// entries of the matrix.
+// entries of the matrix, where some rows differ between the fields.
 
 #include <catena/flow/prolongation.h>
 
@@ -66,23 +66,31 @@ main(int argc, char **argv)
                        n_coarse = n_ranks * coarse_of_rank,
                        n_fine   = n_ranks * fine_of_rank;
 
-    SparseRows rows;
-    for (unsigned int i = 0; i < fine_of_rank; ++i)
-      {
-        const unsigned int row = fine_of_rank * rank + i;
-        // a row without entries, too
-        for (unsigned int column = 0; row % 4 != 0 && column < n_coarse;
-             ++column)
-          if (entry(row, column) != 0.f)
-            rows.add(column, entry(row, column));
-        rows.end_row();
-      }
-    const auto P = [&](const unsigned int row, const unsigned int column) {
-      return row % 4 != 0 ? entry(row, column) : 0.f;
+    // a row without entries, too; the last field has some of other signs
+    constexpr unsigned int last_lane = n_lanes - 1;
+    const auto             P         = [&](const unsigned int row,
+                       const unsigned int column,
+                       const unsigned int lane) {
+      const float sign = lane == last_lane && row % 5 == 1 ? -1.f : 1.f;
+      return row % 4 != 0 ? sign * entry(row, column) : 0.f;
     };
-    const auto coarse_nodes = make_nodes(coarse_of_rank, {&rows}, comm),
-               fine_nodes   = make_nodes(fine_of_rank, {}, comm);
-    const Prolongation prolongation(rows, *coarse_nodes);
+    const auto rows_of = [&](const unsigned int lane) {
+      SparseRows rows;
+      for (unsigned int i = 0; i < fine_of_rank; ++i)
+        {
+          const unsigned int row = fine_of_rank * rank + i;
+          for (unsigned int column = 0; column < n_coarse; ++column)
+            if (P(row, column, lane) != 0.f)
+              rows.add(column, P(row, column, lane));
+          rows.end_row();
+        }
+      return rows;
+    };
+    const SparseRows rows = rows_of(0), last_rows = rows_of(last_lane);
+    const auto       coarse_nodes = make_nodes(coarse_of_rank, {&rows}, comm),
+               fine_nodes         = make_nodes(fine_of_rank, {}, comm);
+    const Prolongation prolongation({{0b0111, &rows}, {0b1000, &last_rows}},
+                                    *coarse_nodes);
 
     NodeVector coarse, fine;
     reinit(coarse, *coarse_nodes);
@@ -97,7 +105,7 @@ main(int argc, char **argv)
                                const unsigned int lane) {
                              double sum = value(row, lane);
                              for (unsigned int c = 0; c < n_coarse; ++c)
-                               sum += P(row, c) * value(c, lane);
+                               sum += P(row, c, lane) * value(c, lane);
                              return sum;
                            }),
                 0.,
@@ -113,7 +121,7 @@ main(int argc, char **argv)
                            [&](const unsigned int c, const unsigned int lane) {
                              double sum = value(c, lane);
                              for (unsigned int row = 0; row < n_fine; ++row)
-                               sum += P(row, c) * value(row, lane);
+                               sum += P(row, c, lane) * value(row, lane);
                              return sum;
                            }),
                 0.,

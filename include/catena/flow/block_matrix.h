@@ -57,13 +57,15 @@ namespace Catena
     void
     clear();
 
-    /// dst += A src
-    void
-    vmult_add(FastVectorType &dst, const FastVectorType &src) const;
-
     /// dst = A src
     void
     vmult(FastVectorType &dst, const FastVectorType &src) const;
+
+    /// dst = rhs - A src
+    void
+    residual(FastVectorType       &dst,
+             const FastVectorType &src,
+             const FastVectorType &rhs) const;
 
     /// Number of rows of all ranks, of a matrix from nodes to the same nodes.
     std::size_t
@@ -85,6 +87,11 @@ namespace Catena
 
     const float *
     column_values(const FastVectorType &src) const;
+
+    /// Call @p action with each row, of a component, and its product.
+    template <typename Action>
+    void
+    multiply(const FastVectorType &src, const Action &action) const;
   };
 } // namespace Catena
 

@@ -17,29 +17,41 @@ namespace Catena
    * made of aggregates, or the inverse where the level is small. A level whose
    * aggregates are hardly fewer than its nodes, as on many ranks with few nodes
    * each, has no coarser one: it is left to its smoother.
+   *
+   * Fields with operators of their own share a level, and have coarser ones of
+   * their own.
    */
   class CoarseCorrection
   {
   public:
+    /// What some of the fields share.
+    struct FieldOperator
+    {
+      FieldMask fields;
+      /// A of the finer level
+      const NodeMatrix *matrix;
+      /// the rows of P of this rank's nodes
+      const SparseRows *prolongation;
+    };
+
     /**
-     * @param matrix the operator A of the finer level
-     * @param prolongation_rows the rows of P of this rank's nodes
+     * @param operators with the same entries, which can be zero
      * @param masks which fields have an unknown, by node of the coarser level;
      * a field without any is not corrected
      */
-    CoarseCorrection(const NodeMatrix             &matrix,
-                     const SparseRows             &prolongation_rows,
-                     const std::vector<FieldMask> &masks,
-                     const MPI_Comm                communicator);
+    CoarseCorrection(const std::vector<FieldOperator> &operators,
+                     const std::vector<FieldMask>     &masks,
+                     const MPI_Comm                    communicator);
 
     /// solution += P C P^T residual
     void
     correct(NodeVector &solution, const NodeVector &residual) const;
 
   private:
-    Prolongation                      prolongation;
-    std::unique_ptr<MultigridLevel>   level;
-    std::unique_ptr<CoarseCorrection> coarser;
+    Prolongation                    prolongation;
+    std::unique_ptr<MultigridLevel> level;
+    /// by operator
+    std::vector<CoarseCorrection> coarser;
     /// in place of a level and what is coarser
     std::unique_ptr<CoarseInverse> inverse;
     mutable NodeVector             coarse_solution, coarse_residual;

@@ -22,18 +22,21 @@ namespace Catena
    *   [ B    0    D ] [p ] = [g]
    *   [ R    D^T  S ] [r ]   [h]:
    *
-   *   p = -2 M^-1 g,   (u, r, F_r) = K^-1 (f - B^T p, h - D^T p, ...),
+   *   p = -2.5 M^-1 g,   (u, r, F_r) = K^-1 (f - 0.8 B^T p, h - D^T p, ...),
    *
    * with M the pressure mass matrix scaled by the fluidity (four Chebyshev
    * sweeps). Of a gradient, the velocity block A is twice the viscous operator
    * of a component, int (L H + H L^T) : grad v = 2 int L H : grad v, which is
    * why B A^-1 B^T is nearer to M / 2 than to M. K^-1 is one cycle of
    * VelocityMultigrid on the scalar operator of the velocity components, which
-   * includes the tensor viscosity; the rigid-body unknowns, whose rows are too
-   * dense for multigrid, and the contact forces are eliminated by their small
-   * Schur complement. A strengthened one takes some steps of GMRES on A
-   * instead, each with that cycle, where the components are coupled too much
-   * for it.
+   * includes the tensor viscosity; it takes gradients for half of what they are
+   * in A, which is why not all of the pressure acts on them. The rigid-body
+   * unknowns, whose rows are too dense for multigrid, and the contact forces
+   * are eliminated by their small Schur complement, with the response of the
+   * velocity to each motion by some steps of conjugate gradients. A
+   * strengthened one takes some steps of GMRES on A instead, each with that
+   * cycle, and all of the pressure, where the components are coupled too much
+   * for the cycle alone.
    *
    * It is made of one instant and can be kept for many steps; only those steps
    * of GMRES take A as it is now.
@@ -106,6 +109,7 @@ namespace Catena
     mutable FastVectorType velocity_src;
 
     /// dst = A^-1 src, approximately
+    template <class Solver>
     void
     solve_velocity(FastVectorType       &dst,
                    const FastVectorType &src,

@@ -69,6 +69,11 @@ namespace Catena
   class FlowSolver
   {
   public:
+    /// Iterations after which the residual is found anew, in double precision:
+    /// a longer basis saves few, and takes two vectors and more products for
+    /// each.
+    static constexpr unsigned int basis_size = 20;
+
     explicit FlowSolver(const FlowSolverParameters &parameters);
 
     /// What it solves refers to its constraints.

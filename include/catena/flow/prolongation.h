@@ -3,24 +3,34 @@
 
 #include <catena/flow/node_matrix.h>
 
+#include <vector>
+
 namespace Catena
 {
   /**
    * A sparse matrix P from the nodes of a coarser level to those of a finer
-   * one, the same for all fields, with its rows distributed over the ranks.
-   * Unlike a NodeMatrix it has few entries in a row.
+   * one, with its rows distributed over the ranks. Unlike a NodeMatrix it has
+   * few entries in a row. Rows that are not the same for all fields are kept
+   * field by field.
    */
   class Prolongation
   {
   public:
+    /// The rows of this rank for some of the fields.
+    struct FieldRows
+    {
+      FieldMask         fields;
+      const SparseRows *rows;
+    };
+
     Prolongation() = default;
 
     /**
-     * @param rows the rows of this rank
+     * @param rows for each field at most one
      * @param nodes the nodes of the coarser level; those of other ranks in
      * @p rows are among its ghosts
      */
-    Prolongation(const SparseRows                          &rows,
+    Prolongation(const std::vector<FieldRows>              &rows,
                  const dealii::Utilities::MPI::Partitioner &nodes);
 
     /// fine += P coarse; ghosts of @p coarse are needed.
@@ -32,8 +42,29 @@ namespace Catena
     add_transposed_product(Lanes *coarse, const Lanes *fine) const;
 
   private:
-    /// with local numbers of columns
-    SparseRows rows;
+    /// The rows with the same number of entries, lest each row's end be
+    /// guessed by the processor; columns by local numbers.
+    struct RowsOfLength
+    {
+      std::vector<unsigned int> rows, columns;
+      std::vector<float>        values;
+    };
+
+    /// An entry of a row that differs between the fields.
+    struct LaneEntry
+    {
+      unsigned int row, column;
+      Lanes        value;
+    };
+
+    /// by length
+    std::vector<RowsOfLength> rows;
+    std::vector<LaneEntry>    lane_entries;
+
+    /// Call @p action with a fine node, a coarse one and the entry of both.
+    template <typename Action>
+    void
+    for_each_entry(const Action &action) const;
   };
 } // namespace Catena
 

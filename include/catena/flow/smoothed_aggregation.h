@@ -24,7 +24,8 @@ namespace Catena
    * Nodes where some of the fields have no unknown are aggregated among
    * themselves and not smoothed. So what is interpolated to them comes from
    * such aggregates alone, and with these left out P^T A P is also the operator
-   * of the fields that have no unknown there: one matrix serves all.
+   * of the fields that have no unknown there: one matrix serves all. Nodes
+   * without any are in no aggregate.
    *
    * Aggregates belong to one rank.
    */
@@ -44,7 +45,9 @@ namespace Catena
     std::vector<FieldMask> masks;
 
   private:
-    /// Aggregate of each of this rank's nodes.
+    static constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
+
+    /// Aggregate of each of this rank's nodes, or none.
     std::vector<unsigned int>
     aggregate(const NodeMatrix             &matrix,
               const std::vector<float>     &diagonal,

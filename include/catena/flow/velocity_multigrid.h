@@ -17,7 +17,7 @@ namespace Catena
    * aggregates of ever more nodes, and to a direct solution. The operators of
    * the coarser levels are P^T A P. Everything is in single precision.
    *
-   * On P2 all components share the sweeps over one matrix; where their
+   * On P2 and P1 all components share the sweeps over one matrix; where their
    * boundary conditions differ, or the signs with which identified nodes come
    * back, there are LaneEntries. Component d is lane d.
    */
@@ -35,9 +35,8 @@ namespace Catena
     vmult(FastVectorType &dst, const FastVectorType &src) const;
 
   private:
-    std::unique_ptr<MultigridLevel> finest;
-    /// of the components that share an operator
-    std::vector<CoarseCorrection> corrections;
+    std::unique_ptr<MultigridLevel>   finest;
+    std::unique_ptr<CoarseCorrection> correction;
   };
 } // namespace Catena
 

@@ -15,17 +15,15 @@ namespace Catena
   class VertexInterpolation
   {
   public:
-    /**
-     * @param components of the velocity, which share the signs; the others are
-     * in no mask
-     */
-    VertexInterpolation(const MovingMesh<dim>                &mesh,
-                        const std::vector<NodeCoupling<dim>> &couplings,
-                        const std::vector<unsigned int>      &components);
+    /// @param groups components of the velocity that share the signs
+    VertexInterpolation(const MovingMesh<dim>                        &mesh,
+                        const std::vector<NodeCoupling<dim>>         &couplings,
+                        const std::vector<std::vector<unsigned int>> &groups);
 
     /// by node of this rank
     std::vector<FieldMask> node_masks;
-    SparseRows             prolongation;
+    /// by group, with the same entries, which can be zero
+    std::vector<SparseRows> prolongations;
     /// by vertex of this rank that has an unknown
     std::vector<FieldMask> vertex_masks;
   };
