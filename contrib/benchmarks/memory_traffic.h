@@ -52,7 +52,7 @@ namespace Catena
                       const double                     iterations)
   {
     constexpr double index = 4., single = 4., whole = 8.;
-    constexpr double sweeps = 2., mass_sweeps = 3., earlier_solutions = 4.,
+    constexpr double sweeps = 2., mass_sweeps = 2., earlier_solutions = 4.,
                      residuals  = 2.;
     constexpr double basis_size = FlowSolver<3>::basis_size;
     // the right-hand side is read or written, residual and solution are read

@@ -139,7 +139,7 @@ namespace Catena
     // eigenvalues of the P1 mass matrix scaled by its diagonal:
     // between 1/2 and (dim+2)/2
     typename MassInverse::AdditionalData data;
-    data.degree              = 4;
+    data.degree              = 3;
     data.max_eigenvalue      = (dim + 2.) / 2.;
     data.smoothing_range     = dim + 2.;
     data.eig_cg_n_iterations = 0;

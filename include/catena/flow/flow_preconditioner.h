@@ -24,7 +24,7 @@ namespace Catena
    *
    *   p = -2.5 M^-1 g,   (u, r, F_r) = K^-1 (f - 0.8 B^T p, h - D^T p, ...),
    *
-   * with M the pressure mass matrix scaled by the fluidity (four Chebyshev
+   * with M the pressure mass matrix scaled by the fluidity (three Chebyshev
    * sweeps). Of a gradient, the velocity block A is twice the viscous operator
    * of a component, int (L H + H L^T) : grad v = 2 int L H : grad v, which is
    * why B A^-1 B^T is nearer to M / 2 than to M. K^-1 is one cycle of
