@@ -52,7 +52,7 @@ namespace Catena
                       const double                     iterations)
   {
     constexpr double index = 4., single = 4., whole = 8.;
-    constexpr double sweeps = 2., mass_sweeps = 2., earlier_solutions = 4.,
+    constexpr double sweeps = 2., mass_products = 2., earlier_solutions = 4.,
                      residuals  = 2.;
     constexpr double basis_size = FlowSolver<3>::basis_size;
     // the right-hand side is read or written, residual and solution are read
@@ -75,7 +75,7 @@ namespace Catena
     const double sweep = (pairs - nodes) / 2. * (single + index) +
                          vectors_of_a_sweep * node_vector * single;
     const double preconditioner = gradient * (3. * single + index) +
-                                  mass_sweeps * mass * (single + index) +
+                                  mass_products * mass * (single + index) +
                                   sweeps * sweep;
     const double cycles = std::floor(iterations / basis_size),
                  rest   = iterations - cycles * basis_size;

@@ -4,6 +4,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+
 namespace Catena
 {
   using namespace dealii;
@@ -63,9 +65,13 @@ namespace Catena
         for (const FieldMask mask : masks)
           field_masks.push_back(mask & fields);
         const SmoothedAggregation aggregation(matrix, field_masks);
-        const unsigned int        n_coarser =
-          Utilities::MPI::sum<unsigned int>(aggregation.masks.size(), comm);
-        if (n_coarser < worst_reduction * nodes->size())
+        const unsigned int        n_without =
+          std::count(field_masks.begin(), field_masks.end(), 0);
+        const unsigned int n_nodes = Utilities::MPI::sum<unsigned int>(
+                             field_masks.size() - n_without, comm),
+                           n_coarser = Utilities::MPI::sum<unsigned int>(
+                             aggregation.masks.size(), comm);
+        if (n_coarser < worst_reduction * n_nodes)
           coarser.emplace_back(
             std::vector<FieldOperator>{
               {fields, &matrix, &aggregation.prolongation}},

@@ -1,7 +1,6 @@
 #include <catena/base/replicated.h>
 #include <catena/flow/flow_preconditioner.h>
 
-#include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_gmres.h>
 #include <deal.II/lac/vector_memory.h>
 
@@ -114,7 +113,6 @@ namespace Catena
 
 
   template <int dim>
-  template <class Solver>
   void
   FlowPreconditioner<dim>::solve_velocity(FastVectorType       &dst,
                                           const FastVectorType &src,
@@ -122,7 +120,10 @@ namespace Catena
   {
     dst = 0.;
     IterationNumberControl control(steps, 1e-12);
-    Solver(control).solve(VelocityBlock<dim>(*system), dst, src, multigrid);
+    SolverFGMRES<FastVectorType>(control).solve(VelocityBlock<dim>(*system),
+                                                dst,
+                                                src,
+                                                multigrid);
   }
 
 
@@ -177,10 +178,7 @@ namespace Catena
         system->template vmult<float>(products, motion);
         for (unsigned int l = 0; l < n; ++l)
           rigid_schur(l, k) = forces[l];
-        // of a symmetric block, or nearly so
-        solve_velocity<SolverCG<FastVectorType>>(response,
-                                                 column,
-                                                 response_iterations(n));
+        solve_velocity(response, column, response_iterations(n));
         rigid_responses.push_back(response);
       }
     for (unsigned int k = 0; k < n; ++k)
@@ -233,9 +231,7 @@ namespace Catena
     matrices->gradient.residual(velocity_src, dst.block(1), src.block(0));
     dst.block(1) *= 1.f / share;
     if (strong)
-      solve_velocity<SolverGMRES<FastVectorType>>(dst.block(0),
-                                                  velocity_src,
-                                                  strong_iterations);
+      solve_velocity(dst.block(0), velocity_src, strong_iterations);
     else
       multigrid.vmult(dst.block(0), velocity_src);
 

@@ -19,6 +19,8 @@ namespace Catena
               node_fields[i] & node_fields[shared.column(k)];
             Lanes differences = {};
             for (const FieldMatrix &other : others)
+              AssertDimension(other.matrix.column(k), shared.column(k));
+            for (const FieldMatrix &other : others)
               for (unsigned int lane = 0; lane < n_lanes; ++lane)
                 if (((other.fields & fields) >> lane) & 1U)
                   differences[lane] = other.matrix.value(k) - shared.value(k);

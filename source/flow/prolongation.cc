@@ -37,14 +37,14 @@ namespace Catena
         if (is_shared)
           {
             const unsigned int length = first.starts[i + 1] - first.starts[i];
-            if (rows.size() <= length)
-              rows.resize(length + 1);
-            rows[length].rows.push_back(i);
+            if (by_length.size() <= length)
+              by_length.resize(length + 1);
+            RowsOfLength &rows = by_length[length];
+            rows.rows.push_back(i);
             for (unsigned int k = first.starts[i]; k < first.starts[i + 1]; ++k)
               {
-                rows[length].columns.push_back(
-                  nodes.global_to_local(first.columns[k]));
-                rows[length].values.push_back(first.values[k]);
+                rows.columns.push_back(nodes.global_to_local(first.columns[k]));
+                rows.values.push_back(first.values[k]);
               }
             continue;
           }
@@ -57,13 +57,10 @@ namespace Catena
               for (unsigned int lane = 0; lane < n_lanes; ++lane)
                 if ((some.fields >> lane) & 1U)
                   value[lane] = some.rows->values[k];
-              lane_entries.push_back(
+              single_entries.push_back(
                 {i, nodes.global_to_local(some.rows->columns[k]), value});
             }
       }
-    // without entries there is nothing to do
-    if (!rows.empty())
-      rows.front() = RowsOfLength();
   }
 
 
@@ -72,15 +69,16 @@ namespace Catena
   void
   Prolongation::for_each_entry(const Action &action) const
   {
-    for (unsigned int length = 1; length < rows.size(); ++length)
+    for (unsigned int length = 1; length < by_length.size(); ++length)
       {
-        const unsigned int *column = rows[length].columns.data();
-        const float        *value  = rows[length].values.data();
-        for (const unsigned int row : rows[length].rows)
+        const RowsOfLength &rows   = by_length[length];
+        const unsigned int *column = rows.columns.data();
+        const float        *value  = rows.values.data();
+        for (const unsigned int row : rows.rows)
           for (unsigned int k = 0; k < length; ++k)
             action(row, *column++, *value++);
       }
-    for (const LaneEntry &entry : lane_entries)
+    for (const FieldEntry &entry : single_entries)
       action(entry.row, entry.column, entry.value);
   }
 

@@ -19,6 +19,7 @@ double
 last_order(const std::vector<double> &residuals, const unsigned int n_steps)
 {
   unsigned int n = residuals.size();
+  AssertThrow(n >= n_steps + 2, dealii::ExcInternalError());
   while (n > n_steps + 2 && residuals[n - 1] < 1e-10)
     --n;
   const auto gain = [&](const unsigned int step) {

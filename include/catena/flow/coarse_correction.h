@@ -18,8 +18,8 @@ namespace Catena
    * aggregates are hardly fewer than its nodes, as on many ranks with few nodes
    * each, has no coarser one: it is left to its smoother.
    *
-   * Fields with operators of their own share a level, and have coarser ones of
-   * their own.
+   * Fields with operators of their own share a level, which has no inverse, and
+   * have coarser ones of their own.
    */
   class CoarseCorrection
   {
@@ -35,7 +35,7 @@ namespace Catena
     };
 
     /**
-     * @param operators with the same entries, which can be zero
+     * @param operators with entries in the same places, which can be zero
      * @param masks which fields have an unknown, by node of the coarser level;
      * a field without any is not corrected
      */
@@ -50,7 +50,7 @@ namespace Catena
   private:
     Prolongation                    prolongation;
     std::unique_ptr<MultigridLevel> level;
-    /// by operator
+    /// of the operators that have one
     std::vector<CoarseCorrection> coarser;
     /// in place of a level and what is coarser
     std::unique_ptr<CoarseInverse> inverse;

@@ -30,11 +30,12 @@ namespace Catena
    * why B A^-1 B^T is nearer to M / 2 than to M. K^-1 is one cycle of
    * VelocityMultigrid on the scalar operator of the velocity components, which
    * includes the tensor viscosity; it takes gradients for half of what they are
-   * in A, which is why not all of the pressure acts on them. The rigid-body
-   * unknowns, whose rows are too dense for multigrid, and the contact forces
-   * are eliminated by their small Schur complement, with the response of the
-   * velocity to each motion by some steps of conjugate gradients. A
-   * strengthened one takes some steps of GMRES on A instead, each with that
+   * in A, which is why not all of the pressure acts on them. (Both factors are
+   * those with the fewest iterations: 0.8 times 2.5 is the 2 of M / 2.) The
+   * rigid-body unknowns, whose rows are too dense for multigrid, and the
+   * contact forces are eliminated by their small Schur complement, with the
+   * response of the velocity to each motion by some steps of GMRES on A. A
+   * strengthened one takes such steps for the velocity, too, each with that
    * cycle, and all of the pressure, where the components are coupled too much
    * for the cycle alone.
    *
@@ -109,7 +110,6 @@ namespace Catena
     mutable FastVectorType velocity_src;
 
     /// dst = A^-1 src, approximately
-    template <class Solver>
     void
     solve_velocity(FastVectorType       &dst,
                    const FastVectorType &src,

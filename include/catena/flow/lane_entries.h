@@ -28,7 +28,7 @@ namespace Catena
 
     /**
      * @param shared the shared matrix
-     * @param others those of other fields, with the same columns
+     * @param others those of other fields, with entries in the same places
      * @param masks which fields have an unknown, by node of this rank
      */
     LaneEntries(const NodeMatrix               &shared,

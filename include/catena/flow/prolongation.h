@@ -51,15 +51,14 @@ namespace Catena
     };
 
     /// An entry of a row that differs between the fields.
-    struct LaneEntry
+    struct FieldEntry
     {
       unsigned int row, column;
       Lanes        value;
     };
 
-    /// by length
-    std::vector<RowsOfLength> rows;
-    std::vector<LaneEntry>    lane_entries;
+    std::vector<RowsOfLength> by_length;
+    std::vector<FieldEntry>   single_entries;
 
     /// Call @p action with a fine node, a coarse one and the entry of both.
     template <typename Action>

@@ -34,7 +34,8 @@ namespace Catena
   public:
     /**
      * @param matrix operator A of a level
-     * @param masks of this rank's nodes
+     * @param masks of this rank's nodes, without fields that have another
+     * operator
      */
     SmoothedAggregation(const NodeMatrix             &matrix,
                         const std::vector<FieldMask> &masks);

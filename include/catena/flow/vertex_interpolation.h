@@ -15,7 +15,8 @@ namespace Catena
   class VertexInterpolation
   {
   public:
-    /// @param groups components of the velocity that share the signs
+    /// @param groups components of the velocity that share the signs, each in
+    /// one of them
     VertexInterpolation(const MovingMesh<dim>                        &mesh,
                         const std::vector<NodeCoupling<dim>>         &couplings,
                         const std::vector<std::vector<unsigned int>> &groups);
