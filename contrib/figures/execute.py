@@ -9,7 +9,7 @@ import sys
 import threading
 from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
 
-from cases import THREADS
+from cases import ENVIRONMENT
 
 
 def lock(folder):
@@ -53,7 +53,7 @@ class Runner:
                 process = subprocess.Popen(
                     [self.programs / run.program, run.file, "--output",
                      run.results, *(["--resume"] if resumed else [])],
-                    stdout=log, stderr=log, env={**os.environ, **THREADS},
+                    stdout=log, stderr=log, env={**os.environ, **ENVIRONMENT},
                     start_new_session=True, pass_fds=[self.lock_file.fileno()])
             self.processes[run] = process
         return process

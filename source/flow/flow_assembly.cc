@@ -61,7 +61,7 @@ namespace Catena
                                           system.nodes().n_ghost_indices() :
                                         0,
                                0.);
-    system.cells.use_tangents(stress.has_tangent());
+    system.cells.set_form(stress.has_scalar_viscosity(), stress.has_tangent());
     if (preconditioner)
       preconditioner->clear();
 

@@ -51,9 +51,10 @@ namespace Catena
     const bool         curved = group.curved;
     const unsigned int n_points =
       CellKernels::reference_rule<dim, float>(curved).size();
+    constexpr unsigned int of_a_tensor = n_symmetric_components(dim);
     return (curved ? n_points : 1) * dim * dim +
-           n_points * (with_tangents ? 2 : 1) *
-             (1 + n_symmetric_components(dim));
+           n_points * (1 + (scalar_viscosity ? 1 : of_a_tensor) +
+                       (with_tangents ? 1 + of_a_tensor : 0));
   }
 
 
@@ -75,11 +76,14 @@ namespace Catena
 
   template <int dim>
   void
-  FlowCells<dim>::use_tangents(const bool there_are)
+  FlowCells<dim>::set_form(const bool new_scalar_viscosity,
+                           const bool new_with_tangents)
   {
-    if (with_tangents == there_are)
+    if (scalar_viscosity == new_scalar_viscosity &&
+        with_tangents == new_with_tangents)
       return;
-    with_tangents = there_are;
+    scalar_viscosity = new_scalar_viscosity;
+    with_tangents    = new_with_tangents;
     resize();
   }
 
@@ -121,7 +125,17 @@ namespace Catena
                     ExcMessage("A stress with a tangent has to say so: "
                                "override has_tangent()."));
         add(points[q].JxW);
-        add_symmetric(points[q].JxW, coefficients[q].viscosity);
+        if (scalar_viscosity)
+          {
+            const double viscosity = coefficients[q].viscosity[0][0];
+            AssertThrow(coefficients[q].viscosity ==
+                          viscosity * unit_symmetric_tensor<dim>(),
+                        ExcMessage("A stress with a tensor viscosity must not "
+                                   "say that it has a scalar one."));
+            add(points[q].JxW * viscosity);
+          }
+        else
+          add_symmetric(points[q].JxW, coefficients[q].viscosity);
         if (with_tangents)
           {
             add(points[q].JxW * coefficients[q].tangent_factor);
@@ -132,17 +146,36 @@ namespace Catena
 
 
 
+  namespace
+  {
+    template <int dim, typename Number, bool transposed>
+    auto
+    select_kernel(const bool curved, const bool scalar_viscosity)
+    {
+      using namespace CellKernels;
+      if (scalar_viscosity)
+        return curved ? &integrate<dim, Number, true, true, transposed> :
+                        &integrate<dim, Number, false, true, transposed>;
+      return curved ? &integrate<dim, Number, true, false, transposed> :
+                      &integrate<dim, Number, false, false, transposed>;
+    }
+  } // namespace
+
+
+
   template <int dim>
   template <bool transposed, typename Number>
   void
   FlowCells<dim>::add(Number *dst, const Number *src) const
   {
-    using CellKernels::integrate;
     CellKernels::NodePacks<dim, Number> x, y;
     for (const Group &group : groups)
       {
         const auto &rule =
           CellKernels::reference_rule<dim, Number>(group.curved);
+        const auto integrate =
+          select_kernel<dim, Number, transposed>(group.curved,
+                                                 scalar_viscosity);
         const unsigned int nodes_at_once =
                              n_quadratic_nodes(dim) * cells_at_once,
                            numbers_at_once = n_numbers(group) * cells_at_once;
@@ -154,12 +187,7 @@ namespace Catena
             const CellKernels::CellNumbers<dim, Number> numbers(
               group.numbers.data() + first, group.remainders.data() + first);
             x.gather(nodes, src);
-            if (group.curved)
-              integrate<dim, Number, true, transposed>(
-                rule, with_tangents, numbers, x, y);
-            else
-              integrate<dim, Number, false, transposed>(
-                rule, with_tangents, numbers, x, y);
+            integrate(rule, with_tangents, numbers, x, y);
             y.scatter(nodes, dst);
           }
       }

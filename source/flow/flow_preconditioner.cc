@@ -4,6 +4,8 @@
 #include <deal.II/lac/solver_gmres.h>
 #include <deal.II/lac/vector_memory.h>
 
+#include <algorithm>
+
 namespace Catena
 {
   using namespace dealii;
@@ -69,8 +71,8 @@ namespace Catena
   FlowPreconditioner<dim>::set_up_cost() const
   {
     constexpr unsigned int multigrid = 10;
-    const unsigned int     n         = rigid_schur.m();
-    return multigrid + n * response_iterations(n);
+    const unsigned int     n         = system->n_rigid();
+    return multigrid + n * response_iterations(n) + gap_pressures.size();
   }
 
 
@@ -83,9 +85,10 @@ namespace Catena
     matrices  = nullptr;
     multigrid = VelocityMultigrid<dim>();
     mass_inverse.clear();
-    rigid_responses.clear();
-    velocity_reactions.clear();
-    pressure_reactions.clear();
+    gap_pressures = GapPressures<dim>();
+    responses.clear();
+    velocity_rows.clear();
+    pressure_rows.clear();
   }
 
 
@@ -96,7 +99,8 @@ namespace Catena
     const MovingMesh<dim>                &mesh,
     const std::vector<NodeCoupling<dim>> &couplings,
     const FlowSystem<dim>                &new_system,
-    const PreconditionerMatrices<dim>    &new_matrices)
+    const PreconditionerMatrices<dim>    &new_matrices,
+    const Configuration<dim>             &configuration)
   {
     clear();
     system   = &new_system;
@@ -107,7 +111,9 @@ namespace Catena
     velocity_src.reinit(system->velocity_rhs);
 
     initialize_mass();
-    initialize_rigid();
+    gap_pressures =
+      GapPressures<dim>(mesh, configuration, matrices->pressure_mass);
+    initialize_responses();
   }
 
 
@@ -153,10 +159,11 @@ namespace Catena
 
   template <int dim>
   void
-  FlowPreconditioner<dim>::initialize_rigid()
+  FlowPreconditioner<dim>::initialize_responses()
   {
-    const unsigned int n = system->n_rigid();
-    rigid_schur.reinit(n, n);
+    const unsigned int n_rigid = system->n_rigid(),
+                       n       = n_rigid + gap_pressures.size();
+    schur.reinit(n, n);
 
     FastVectorType no_velocity, no_pressure;
     no_velocity.reinit(velocity_src);
@@ -166,30 +173,41 @@ namespace Catena
     std::vector<double>                                                forces;
     const typename FlowSystem<dim>::template Equations<FastVectorType> products{
       column, pressures, forces};
-    for (unsigned int k = 0; k < n; ++k)
+    for (unsigned int k = 0; k < n_rigid; ++k)
       {
-        std::vector<double> unit(n, 0.);
+        std::vector<double> unit(n_rigid, 0.);
         unit[k] = 1.;
         const typename FlowSystem<dim>::template Unknowns<FastVectorType>
           motion{no_velocity, no_pressure, unit};
         system->Tvmult(products, motion);
-        velocity_reactions.add(column);
-        pressure_reactions.add(pressures);
+        velocity_rows.add(column);
+        pressure_rows.add(pressures);
         system->template vmult<float>(products, motion);
+        const std::vector<double> flows = gap_pressures.products(pressures);
+        forces.insert(forces.end(), flows.begin(), flows.end());
         for (unsigned int l = 0; l < n; ++l)
-          rigid_schur(l, k) = forces[l];
-        solve_velocity(response, column, response_iterations(n));
-        rigid_responses.push_back(response);
+          schur(l, k) = forces[l];
+        solve_velocity(response, column, response_iterations(n_rigid));
+        responses.push_back(response);
+      }
+    for (unsigned int k = n_rigid; k < n; ++k)
+      {
+        pressures = 0.f;
+        gap_pressures.add_to(pressures, k - n_rigid, 1.);
+        matrices->gradient.vmult(column, pressures);
+        velocity_rows.add(column);
+        forces = pressure_rows.products(pressures);
+        for (unsigned int l = 0; l < n_rigid; ++l)
+          schur(l, k) = forces[l];
+        multigrid.vmult(response, column);
+        responses.push_back(response);
       }
     for (unsigned int k = 0; k < n; ++k)
       {
-        std::vector<double> reactions(n);
-        velocity_reactions.add_to(reactions, rigid_responses[k]);
-        Utilities::MPI::sum(reactions,
-                            velocity_src.get_mpi_communicator(),
-                            reactions);
+        const std::vector<double> reactions =
+          velocity_rows.products(responses[k]);
         for (unsigned int l = 0; l < n; ++l)
-          rigid_schur(l, k) -= reactions[l];
+          schur(l, k) -= reactions[l];
       }
     GrowingVectorMemory<FastVectorType>::release_unused_memory();
     set_contacts(ContactBlocks());
@@ -201,21 +219,55 @@ namespace Catena
   void
   FlowPreconditioner<dim>::set_contacts(const ContactBlocks &contacts)
   {
-    const unsigned int n = rigid_schur.m(), m = contacts.n_contacts();
+    const unsigned int n_rigid = system->n_rigid(), n = schur.m(),
+                       m = contacts.n_contacts();
     small_inverse.reinit(n + m, n + m);
-    for (unsigned int k = 0; k < n; ++k)
-      {
-        for (unsigned int l = 0; l < n; ++l)
-          small_inverse(k, l) = rigid_schur(k, l);
-        for (unsigned int c = 0; c < m; ++c)
-          {
-            small_inverse(k, n + c) =
-              -contacts.shares[c] * contacts.rates(c, k);
-            small_inverse(n + c, k) = contacts.rates(c, k);
-          }
-      }
+    if (n > 0)
+      small_inverse.fill(schur);
+    for (unsigned int k = 0; k < n_rigid; ++k)
+      for (unsigned int c = 0; c < m; ++c)
+        {
+          small_inverse(k, n + c) = -contacts.shares[c] * contacts.rates(c, k);
+          small_inverse(n + c, k) = contacts.rates(c, k);
+        }
     if (n + m > 0)
       small_inverse.gauss_jordan();
+  }
+
+
+
+  template <int dim>
+  FullMatrix<double>
+  FlowPreconditioner<dim>::rigid_resistance() const
+  {
+    FullMatrix<double> result(system->n_rigid());
+    if (!result.empty())
+      result.fill(schur);
+    return result;
+  }
+
+
+
+  /// With the factors of the responses in front of @p factors, in pieces that
+  /// stay in the cache.
+  template <int dim>
+  void
+  FlowPreconditioner<dim>::subtract_responses(
+    FastVectorType       &velocity,
+    const Vector<double> &factors) const
+  {
+    constexpr unsigned int piece = 4096;
+
+    const unsigned int size = velocity.locally_owned_size();
+    for (unsigned int begin = 0; begin < size; begin += piece)
+      for (unsigned int k = 0; k < responses.size(); ++k)
+        {
+          const float        factor   = factors(k);
+          const float *const response = responses[k].begin();
+          float *const       values   = velocity.begin();
+          for (unsigned int i = begin; i < std::min(begin + piece, size); ++i)
+            values[i] -= factor * response[i];
+        }
   }
 
 
@@ -225,7 +277,11 @@ namespace Catena
   FlowPreconditioner<dim>::vmult(FastBlockVectorType       &dst,
                                  const FastBlockVectorType &src) const
   {
-    mass_inverse.vmult(dst.block(1), src.block(1));
+    const std::vector<double> flows = gap_pressures.products(src.block(1));
+    pressure_src                    = src.block(1);
+    gap_pressures.remove(pressure_src, flows);
+
+    mass_inverse.vmult(dst.block(1), pressure_src);
     const float share = strong ? 1.f : acting_share;
     dst.block(1) *= share * pressure_factor;
     matrices->gradient.residual(velocity_src, dst.block(1), src.block(0));
@@ -235,25 +291,33 @@ namespace Catena
     else
       multigrid.vmult(dst.block(0), velocity_src);
 
-    const unsigned int n = rigid_schur.m();
+    const unsigned int n = schur.m();
     if (n == 0)
       return;
-    std::vector<double> small = replicate(src.block(2)), forces(n);
-    pressure_reactions.add_to(forces, dst.block(1));
-    velocity_reactions.add_to(forces, dst.block(0));
-    Utilities::MPI::sum(forces, src.block(0).get_mpi_communicator(), forces);
+    std::vector<double> small;
+    if (system->n_rigid() > 0)
+      small = replicate(src.block(2));
+    small.insert(small.end(), flows.begin(), flows.end());
+    const std::vector<double> of_velocity =
+                                velocity_rows.products(dst.block(0)),
+                              of_pressure =
+                                pressure_rows.products(dst.block(1));
     for (unsigned int k = 0; k < n; ++k)
-      small[k] -= forces[k];
+      small[k] -= of_velocity[k];
+    for (unsigned int k = 0; k < system->n_rigid(); ++k)
+      small[k] -= of_pressure[k];
     if (src.n_blocks() > 3)
       for (const double rate : replicate(src.block(3)))
         small.push_back(rate);
 
     Vector<double> rhs(small.begin(), small.end()), solution(small.size());
     small_inverse.vmult(solution, rhs);
-    for (unsigned int k = 0; k < n; ++k)
-      dst.block(0).add(-solution(k), rigid_responses[k]);
-    for (const auto k : dst.block(2).locally_owned_elements())
-      dst.block(2)(k) = solution(k);
+    subtract_responses(dst.block(0), solution);
+    for (unsigned int k = 0; k < gap_pressures.size(); ++k)
+      gap_pressures.add_to(dst.block(1), k, solution(system->n_rigid() + k));
+    if (src.n_blocks() > 2)
+      for (const auto k : dst.block(2).locally_owned_elements())
+        dst.block(2)(k) = solution(k);
     if (src.n_blocks() > 3)
       for (const auto c : dst.block(3).locally_owned_elements())
         dst.block(3)(c) = solution(n + c);

@@ -165,7 +165,8 @@ namespace Catena
         preconditioner.initialize(*mesh,
                                   couplings,
                                   *system,
-                                  *preconditioner_matrices);
+                                  *preconditioner_matrices,
+                                  configuration);
         preconditioner_matrices->release_components();
       }
     preconditioner_is_due = false;

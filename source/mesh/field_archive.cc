@@ -148,7 +148,7 @@ namespace Catena
   {
     std::uint32_t n = fields.size();
     archive(n);
-    if (n > n_symmetric_components(dim))
+    if (n != 0 && n != n_symmetric_components(dim))
       throw CheckpointError("it has a tensor of " + std::to_string(n) +
                             " components");
     // sized first: a vector copied when the list grows loses its ghost values

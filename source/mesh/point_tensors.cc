@@ -79,40 +79,26 @@ namespace Catena
 
 
 
-  /// As how many numbers each cell of the description has, and all of them.
+  /// By rank, its cells in the numbers of the description, how many numbers
+  /// each has, and these one cell after the other.
   template <int dim, typename Number>
   void
   PointTensors<dim, Number>::save(Archive               &archive,
                                   const MovingMesh<dim> &mesh) const
   {
-    using CellNumbers = std::pair<unsigned int, std::vector<Number>>;
-    std::vector<CellNumbers> mine;
+    std::vector<unsigned int> owned, sizes;
     if (!empty())
       for (const Cell &cell : mesh.cells())
         if (cell.owned)
-          mine.emplace_back(
-            cell.iterator->active_cell_index(),
-            std::vector<Number>(numbers.begin() + begin[cell.index],
-                                numbers.begin() + begin[cell.index + 1]));
-
-    std::vector<std::vector<Number>> cells;
-    for (auto &of_rank :
-         Utilities::MPI::gather(mesh.communicator(), std::move(mine), 0))
-      for (CellNumbers &cell : of_rank)
-        {
-          if (cells.empty())
-            cells.resize(mesh.n_global_cells());
-          cells[cell.first] = std::move(cell.second);
-        }
-
-    std::vector<unsigned int> counts;
-    std::vector<Number>       ordered;
-    for (const std::vector<Number> &cell : cells)
-      {
-        counts.push_back(cell.size());
-        ordered.insert(ordered.end(), cell.begin(), cell.end());
-      }
-    archive(counts, ordered);
+          {
+            owned.push_back(cell.iterator->active_cell_index());
+            sizes.push_back(begin[cell.index + 1] - begin[cell.index]);
+          }
+    const MPI_Comm comm  = mesh.communicator();
+    auto           cells = Utilities::MPI::gather(comm, owned, 0),
+         counts          = Utilities::MPI::gather(comm, sizes, 0);
+    auto values          = Utilities::MPI::gather(comm, numbers, 0);
+    archive(cells, counts, values);
   }
 
 
@@ -121,36 +107,49 @@ namespace Catena
   void
   PointTensors<dim, Number>::load(Archive &archive, const MovingMesh<dim> &mesh)
   {
-    std::vector<unsigned int> counts;
-    std::vector<Number>       ordered;
-    archive(counts, ordered);
+    std::vector<std::vector<unsigned int>> cells, counts;
+    std::vector<std::vector<Number>>       values;
+    archive(cells, counts, values);
     *this = PointTensors();
-    if (counts.empty())
+    if (std::all_of(values.begin(), values.end(), [](const auto &of_rank) {
+          return of_rank.empty();
+        }))
       return;
 
-    if (counts.size() != mesh.n_global_cells())
-      throw CheckpointError(
-        "it has tensors at the points of " + std::to_string(counts.size()) +
-        " cells in a mesh of " + std::to_string(mesh.n_global_cells()));
-    std::vector<std::size_t> first(1, 0);
-    for (const unsigned int count : counts)
-      first.push_back(first.back() + count);
-    if (first.back() != ordered.size())
+    // by cell of the description, where its numbers begin, and how many
+    std::vector<std::pair<const Number *, unsigned int>> saved(
+      mesh.n_global_cells(), {nullptr, 0});
+    bool complete =
+      cells.size() == values.size() && counts.size() == values.size();
+    for (unsigned int r = 0; complete && r < values.size(); ++r)
+      {
+        complete          = cells[r].size() == counts[r].size();
+        std::size_t first = 0;
+        for (unsigned int i = 0; complete && i < cells[r].size(); ++i)
+          {
+            complete = cells[r][i] < saved.size() &&
+                       counts[r][i] <= values[r].size() - first;
+            if (complete)
+              saved[cells[r][i]] = {values[r].data() + first, counts[r][i]};
+            first += counts[r][i];
+          }
+        for (const Number number : values[r])
+          if (!std::isfinite(number))
+            throw CheckpointError("it has values that are not finite");
+      }
+    if (!complete)
       throw CheckpointError("tensors at points are missing");
-    for (const Number number : ordered)
-      if (!std::isfinite(number))
-        throw CheckpointError("it has values that are not finite");
 
     *this        = PointTensors(mesh);
     bool fitting = true;
     for (const Cell &cell : mesh.cells())
       if (cell.owned)
         {
-          const unsigned int c = cell.iterator->active_cell_index();
-          if (counts[c] == begin[cell.index + 1] - begin[cell.index])
-            std::copy(ordered.begin() + first[c],
-                      ordered.begin() + first[c + 1],
-                      numbers.begin() + begin[cell.index]);
+          const auto &of_cell = saved[cell.iterator->active_cell_index()];
+          if (of_cell.second == begin[cell.index + 1] - begin[cell.index])
+            std::copy_n(of_cell.first,
+                        of_cell.second,
+                        numbers.begin() + begin[cell.index]);
           else
             fitting = false;
         }

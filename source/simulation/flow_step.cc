@@ -296,7 +296,16 @@ namespace Catena
       instant = Instant();
     instant.archive(archive);
     if (archive.is_loading() && instant.positions.size() > 0)
-      assemble_preconditioner();
+      {
+        const bool complete =
+          parameters.viscoelastic() ?
+            !instant.log_conformation.empty() &&
+              !instant.old_log_conformation.empty() :
+            !nonlinear_solver || instant.velocity.size() > 0;
+        if (!complete)
+          throw CheckpointError("what its preconditioner is of is missing");
+        assemble_preconditioner();
+      }
     flow_solver.archive(archive);
   }
 

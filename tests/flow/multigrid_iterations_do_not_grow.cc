@@ -55,7 +55,7 @@ main(int argc, char **argv)
                            narrow = iterations(c.narrow, 48);
         claims.at_most(c.name + ": few", fine, 50);
         claims.at_most(c.name + ": on finer elements", fine, 1.3 * coarse);
-        claims.at_most(c.name + ": in a narrower gap", narrow, 1.8 * fine);
+        claims.at_most(c.name + ": in a narrower gap", narrow, 1.3 * fine);
         if (uncut == 0)
           uncut = fine;
         else

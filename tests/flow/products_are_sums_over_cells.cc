@@ -1,7 +1,7 @@
 // The flow's products without a matrix against the bilinear form, integrated
 // over the cells with the fields that the unknowns stand for; transposed, and
-// in single precision. The fluid has a tensor viscosity and a tangent that
-// differ from point to point.
+// in single precision. The fluid has a viscosity, a tensor or a scalar, and a
+// tangent that differ from point to point.
 
 #include <catena/base/replicated.h>
 #include <catena/flow/flow_assembly.h>
@@ -26,9 +26,16 @@ namespace
   class AnyStress : public StressModel<dim>
   {
   public:
-    explicit AnyStress(const MovingMesh<dim> &mesh)
+    AnyStress(const MovingMesh<dim> &mesh, const bool scalar_viscosity)
       : mesh(mesh)
+      , scalar_viscosity(scalar_viscosity)
     {}
+
+    bool
+    has_scalar_viscosity() const override
+    {
+      return scalar_viscosity;
+    }
 
     bool
     has_tangent() const override
@@ -54,6 +61,8 @@ namespace
                   (i == j ? 2. : 0.) + 0.5 * std::sin(x[i] + 2. * x[j]);
                 c.tangent[i][j] = std::cos(2. * x[i] - x[j]);
               }
+          if (scalar_viscosity)
+            c.viscosity = c.viscosity[0][0] * unit_symmetric_tensor<dim>();
           c.tangent_factor = -0.2 - 0.1 * std::sin(x[0]);
           coefficients.push_back(c);
         }
@@ -61,6 +70,7 @@ namespace
 
   private:
     const MovingMesh<dim> &mesh;
+    const bool             scalar_viscosity;
   };
 
 
@@ -144,7 +154,10 @@ namespace
 
   template <int dim>
   void
-  test(Tests::Claims &claims, const Scene<dim> &scene, const std::string &name)
+  test(Tests::Claims     &claims,
+       const Scene<dim>  &scene,
+       const std::string &name,
+       const bool         scalar_viscosity = false)
   {
     const Tests::StokesProblem<dim> problem(scene, Tests::resolution(12, 1));
     const MovingMesh<dim>          &mesh = problem.mesh;
@@ -154,7 +167,7 @@ namespace
                                                     problem.bodies,
                                                     problem.configuration,
                                                     false));
-    const AnyStress<dim>        stress(mesh);
+    const AnyStress<dim>        stress(mesh, scalar_viscosity);
     FlowSystem<dim>             system(mesh, problem.bodies, couplings);
     PreconditionerMatrices<dim> matrices(mesh, couplings);
     // without a tangent before
@@ -275,6 +288,8 @@ main(int argc, char **argv)
   return Tests::run(argc, argv, [](Tests::Claims &claims) {
     test<2>(claims, Tests::three_particles<2>(), "2D");
     test<3>(claims, Tests::three_particles<3>(), "3D");
+    test<2>(claims, Tests::three_particles<2>(), "2D, scalar viscosity", true);
+    test<3>(claims, Tests::three_particles<3>(), "3D, scalar viscosity", true);
 
     Scene<2> alone;
     alone.length = 6.;

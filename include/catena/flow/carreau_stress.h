@@ -44,6 +44,12 @@ namespace Catena
                   const Linearisation linearisation);
 
     bool
+    has_scalar_viscosity() const override
+    {
+      return true;
+    }
+
+    bool
     has_tangent() const override
     {
       return linearisation == Linearisation::newton;

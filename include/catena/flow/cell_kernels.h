@@ -306,25 +306,100 @@ namespace Catena
 
 
 
-    /// Gradient of the velocity at a point.
+    /// The symmetric part of a tensor.
+    template <int dim, typename Number>
+    inline DEAL_II_ALWAYS_INLINE TensorPacks<dim, Number>
+    symmetric_part(const TensorPacks<dim, Number> &tensor)
+    {
+      TensorPacks<dim, Number> result;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j <= i; ++j)
+          result[i][j] = result[j][i] =
+            Number(0.5) * (tensor[i][j] + tensor[j][i]);
+      return result;
+    }
+
+
+
+    /// From derivatives by the coordinates of the reference cell to those by x.
     /// @param J rows: gradients of the coordinates of the reference cell
     template <int dim, typename Number>
     inline DEAL_II_ALWAYS_INLINE TensorPacks<dim, Number>
-    velocity_gradient(const std::array<Number, n_linear_nodes(dim)> &lambda,
-                      const TensorPacks<dim, Number>                &J,
-                      const VertexGradients<dim, Number>            &gradients)
+    to_real(const TensorPacks<dim, Number> &gradient,
+            const TensorPacks<dim, Number> &J)
     {
       TensorPacks<dim, Number> L = {};
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int d = 0; d < dim; ++d)
-          {
-            CellPack<dim, Number> slope(0);
-            for (unsigned int v = 0; v <= dim; ++v)
-              slope += lambda[v] * gradients[v][i][d];
-            for (unsigned int j = 0; j < dim; ++j)
-              L[i][j] += slope * J[d][j];
-          }
+          for (unsigned int j = 0; j < dim; ++j)
+            L[i][j] += gradient[i][d] * J[d][j];
       return L;
+    }
+
+
+
+    /// The transpose of to_real().
+    template <int dim, typename Number>
+    inline DEAL_II_ALWAYS_INLINE TensorPacks<dim, Number>
+    to_reference(const TensorPacks<dim, Number> &stress,
+                 const TensorPacks<dim, Number> &J)
+    {
+      TensorPacks<dim, Number> flux = {};
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int j = 0; j < dim; ++j)
+            flux[i][d] += stress[i][j] * J[d][j];
+      return flux;
+    }
+
+
+
+    /// The tensor at a point, of those at the vertices.
+    template <int dim, typename Number, bool symmetric>
+    inline DEAL_II_ALWAYS_INLINE TensorPacks<dim, Number>
+    interpolate(const std::array<Number, n_linear_nodes(dim)> &lambda,
+                const VertexGradients<dim, Number>            &tensors)
+    {
+      TensorPacks<dim, Number> result = {};
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < (symmetric ? i + 1 : dim); ++j)
+          {
+            for (unsigned int v = 0; v <= dim; ++v)
+              result[i][j] += lambda[v] * tensors[v][i][j];
+            if (symmetric)
+              result[j][i] = result[i][j];
+          }
+      return result;
+    }
+
+
+
+    /// The transpose of interpolate(): of symmetric tensors the lower half is
+    /// added.
+    template <int dim, typename Number, bool symmetric>
+    inline DEAL_II_ALWAYS_INLINE void
+    add_at_vertices(VertexGradients<dim, Number>                  &tensors,
+                    const std::array<Number, n_linear_nodes(dim)> &lambda,
+                    const TensorPacks<dim, Number>                &tensor)
+    {
+      for (unsigned int v = 0; v <= dim; ++v)
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j < (symmetric ? i + 1 : dim); ++j)
+            tensors[v][i][j] += lambda[v] * tensor[i][j];
+    }
+
+
+
+    template <int dim, typename Number>
+    inline DEAL_II_ALWAYS_INLINE TensorPacks<dim, Number>
+                                 scaled(const CellPack<dim, Number>    &factor,
+                                        const TensorPacks<dim, Number> &tensor)
+    {
+      TensorPacks<dim, Number> result;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          result[i][j] = factor * tensor[i][j];
+      return result;
     }
 
 
@@ -370,31 +445,17 @@ namespace Catena
 
 
 
-    /// Add stress : grad v of a point, with grad v from those at the vertices.
-    template <int dim, typename Number>
-    inline DEAL_II_ALWAYS_INLINE void
-    add_fluxes(VertexGradients<dim, Number>                  &fluxes,
-               const TensorPacks<dim, Number>                &stress,
-               const std::array<Number, n_linear_nodes(dim)> &lambda,
-               const TensorPacks<dim, Number>                &J)
-    {
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            CellPack<dim, Number> flux(0);
-            for (unsigned int j = 0; j < dim; ++j)
-              flux += stress[i][j] * J[d][j];
-            for (unsigned int v = 0; v <= dim; ++v)
-              fluxes[v][i][d] += lambda[v] * flux;
-          }
-    }
-
-
-
     /**
-     * The sums of the cells of a batch, point by point.
+     * The sums of the cells of a batch, point by point. The map of a cell
+     * without curved faces is the same at all points: all is done in real
+     * coordinates then, and stresses and, of a fluid with a scalar viscosity,
+     * rates of strain have six components in place of nine.
      */
-    template <int dim, typename Number, bool curved, bool transposed>
+    template <int dim,
+              typename Number,
+              bool curved,
+              bool scalar_viscosity,
+              bool transposed>
     void
     integrate(const ReferenceRule<dim, Number> &rule,
               const bool                        with_tangents,
@@ -402,27 +463,48 @@ namespace Catena
               const NodePacks<dim, Number>     &x,
               NodePacks<dim, Number>           &y)
     {
-      using Pack = CellPack<dim, Number>;
+      using Pack                      = CellPack<dim, Number>;
+      using Tensors                   = TensorPacks<dim, Number>;
+      constexpr bool symmetric_rates  = !curved && scalar_viscosity,
+                     symmetric_fluxes = !curved && !transposed;
 
-      TensorPacks<dim, Number> J             = {};
-      const auto               load_jacobian = [&]() {
+      Tensors    J             = {};
+      const auto load_jacobian = [&]() {
         for (auto &row : J)
           for (Pack &entry : row)
             entry = numbers.next();
       };
+      auto gradients = vertex_gradients<dim, Number>(x);
       if (!curved)
-        load_jacobian();
-      const auto                   gradients = vertex_gradients<dim, Number>(x);
-      VertexGradients<dim, Number> fluxes    = {};
+        {
+          load_jacobian();
+          for (Tensors &gradient : gradients)
+            {
+              gradient = to_real<dim, Number>(gradient, J);
+              if (scalar_viscosity)
+                gradient = symmetric_part<dim, Number>(gradient);
+            }
+        }
+      VertexGradients<dim, Number>          fluxes      = {};
       std::array<Pack, n_linear_nodes(dim)> divergences = {};
       for (const auto &lambda : rule)
         {
+          Tensors L =
+            interpolate<dim, Number, symmetric_rates>(lambda, gradients);
           if (curved)
-            load_jacobian();
-          const Pack                        JxW = numbers.next();
-          const SymmetricPacks<dim, Number> H(numbers);
-          const auto L = velocity_gradient<dim, Number>(lambda, J, gradients);
-          auto       stress = viscous_stress<dim, Number, transposed>(L, H);
+            {
+              load_jacobian();
+              L = to_real<dim, Number>(L, J);
+              if (scalar_viscosity)
+                L = symmetric_part<dim, Number>(L);
+            }
+          const Pack JxW = numbers.next();
+          Tensors    stress;
+          if constexpr (scalar_viscosity)
+            stress = scaled<dim, Number>(Number(2) * numbers.next(), L);
+          else
+            stress = viscous_stress<dim, Number, transposed>(
+              L, SymmetricPacks<dim, Number>(numbers));
           if (with_tangents)
             {
               const Pack                        factor = numbers.next();
@@ -440,9 +522,21 @@ namespace Catena
             }
           for (unsigned int v = 0; v < n_linear_nodes(dim); ++v)
             divergences[v] += lambda[v] * divergence;
-          add_fluxes<dim, Number>(fluxes, stress, lambda, J);
+          add_at_vertices<dim, Number, symmetric_fluxes>(
+            fluxes,
+            lambda,
+            curved ? to_reference<dim, Number>(stress, J) : stress);
         }
 
+      if (!curved)
+        for (Tensors &flux : fluxes)
+          {
+            if (symmetric_fluxes)
+              for (unsigned int i = 0; i < dim; ++i)
+                for (unsigned int j = 0; j < i; ++j)
+                  flux[j][i] = flux[i][j];
+            flux = to_reference<dim, Number>(flux, J);
+          }
       set_forces<dim, Number>(y, fluxes);
       for (unsigned int node = 0; node < n_quadratic_nodes(dim); ++node)
         for (unsigned int number = dim; number < n_node_numbers; ++number)

@@ -41,14 +41,17 @@ namespace Catena
 
     FlowCells(const MovingMesh<dim> &mesh, const Partitioner &nodes);
 
-    /// Are there coefficients k and B? All cells are to be set anew.
+    /**
+     * What the coefficients are like: is the viscosity a scalar, are there k
+     * and B? If that changes all cells are to be set anew.
+     */
     void
-    use_tangents(const bool there_are);
+    set_form(const bool scalar_viscosity, const bool with_tangents);
 
     /**
      * What is known of an owned cell at its quadrature points.
-     * @throws dealii::ExceptionBase if there is a tangent that use_tangents()
-     * was not told of
+     * @throws dealii::ExceptionBase if there is a tensor viscosity or a tangent
+     * that set_form() was not told of
      */
     void
     set(const unsigned int                                        cell,
@@ -94,7 +97,7 @@ namespace Catena
     std::vector<Group> groups;
     /// by cell of the mesh
     std::vector<Place> places;
-    bool               with_tangents = false;
+    bool               scalar_viscosity = false, with_tangents = false;
 
     unsigned int
     n_numbers(const Group &group) const;

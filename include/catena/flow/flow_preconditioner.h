@@ -2,13 +2,15 @@
 #define catena_flow_flow_preconditioner_h
 
 #include <catena/flow/flow_system.h>
+#include <catena/flow/gap_pressures.h>
 #include <catena/flow/preconditioner_matrices.h>
-#include <catena/flow/sparse_products.h>
+#include <catena/flow/sparse_vectors.h>
 #include <catena/flow/velocity_multigrid.h>
 #include <catena/particles/acting_contacts.h>
 
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/precondition.h>
+#include <deal.II/lac/vector.h>
 
 #include <memory>
 #include <vector>
@@ -32,12 +34,13 @@ namespace Catena
    * includes the tensor viscosity; it takes gradients for half of what they are
    * in A, which is why not all of the pressure acts on them. (Both factors are
    * those with the fewest iterations: 0.8 times 2.5 is the 2 of M / 2.) The
-   * rigid-body unknowns, whose rows are too dense for multigrid, and the
-   * contact forces are eliminated by their small Schur complement, with the
-   * response of the velocity to each motion by some steps of GMRES on A. A
-   * strengthened one takes such steps for the velocity, too, each with that
-   * cycle, and all of the pressure, where the components are coupled too much
-   * for the cycle alone.
+   * rigid-body unknowns, whose rows are too dense for multigrid, the pressures
+   * of narrow gaps, for which M says little (GapPressures; the sum over them is
+   * added to p), and the contact forces are eliminated by their small Schur
+   * complement, with the response of the velocity to a motion by some steps of
+   * GMRES on A, to a pressure by a cycle of multigrid. A strengthened one takes
+   * such steps for the velocity, too, each with that cycle, and all of the
+   * pressure, where the components are coupled too much for the cycle alone.
    *
    * It is made of one instant and can be kept for many steps; only those steps
    * of GMRES take A as it is now.
@@ -56,7 +59,8 @@ namespace Catena
     initialize(const MovingMesh<dim>                &mesh,
                const std::vector<NodeCoupling<dim>> &couplings,
                const FlowSystem<dim>                &system,
-               const PreconditionerMatrices<dim>    &matrices);
+               const PreconditionerMatrices<dim>    &matrices,
+               const Configuration<dim>             &configuration);
 
     /// Take over the contacts; cheap.
     void
@@ -83,11 +87,8 @@ namespace Catena
     set_up_cost() const;
 
     /// Resistance of the particles to their motion, roughly.
-    const dealii::FullMatrix<double> &
-    rigid_resistance() const
-    {
-      return rigid_schur;
-    }
+    dealii::FullMatrix<double>
+    rigid_resistance() const;
 
   private:
     using MassInverse =
@@ -101,13 +102,18 @@ namespace Catena
     MassInverse                        mass_inverse;
     bool                               strong = false;
 
-    /// R and D^T, the rows of the rigid-body unknowns
-    SparseProducts velocity_reactions, pressure_reactions;
-    /// A^-1 C, approximately, and the Schur complement S - R A^-1 C
-    std::vector<FastVectorType> rigid_responses;
-    dealii::FullMatrix<double>  rigid_schur, small_inverse;
+    GapPressures<dim> gap_pressures;
 
-    mutable FastVectorType velocity_src;
+    /// The rows of the rigid-body unknowns and gap pressures: for velocities,
+    /// and of the former for pressures.
+    SparseVectors velocity_rows, pressure_rows;
+    /// A^-1 times their columns, approximately, and their Schur complement.
+    std::vector<FastVectorType> responses;
+    dealii::FullMatrix<double>  schur;
+    /// With the contact forces.
+    dealii::FullMatrix<double> small_inverse;
+
+    mutable FastVectorType velocity_src, pressure_src;
 
     /// dst = A^-1 src, approximately
     void
@@ -119,7 +125,11 @@ namespace Catena
     initialize_mass();
 
     void
-    initialize_rigid();
+    initialize_responses();
+
+    void
+    subtract_responses(FastVectorType               &velocity,
+                       const dealii::Vector<double> &factors) const;
   };
 
 } // namespace Catena

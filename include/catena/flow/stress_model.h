@@ -64,6 +64,13 @@ namespace Catena
       return false;
     }
 
+    /// Is H a multiple of I? One that says so and has another is refused.
+    virtual bool
+    has_scalar_viscosity() const
+    {
+      return false;
+    }
+
     /**
      * The coefficients at the quadrature points of a cell.
      * @param coefficients resized to the number of points
@@ -83,6 +90,12 @@ namespace Catena
   class NewtonianStress : public StressModel<dim>
   {
   public:
+    bool
+    has_scalar_viscosity() const override
+    {
+      return true;
+    }
+
     void
     evaluate(const typename MovingMesh<dim>::Cell &,
              const CellValues<dim>                &values,
