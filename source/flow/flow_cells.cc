@@ -2,6 +2,7 @@
 #include <catena/flow/flow_cells.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace Catena
@@ -128,8 +129,10 @@ namespace Catena
         if (scalar_viscosity)
           {
             const double viscosity = coefficients[q].viscosity[0][0];
-            AssertThrow(coefficients[q].viscosity ==
-                          viscosity * unit_symmetric_tensor<dim>(),
+            // what is not finite is found by who looks at all cells
+            AssertThrow(!std::isfinite(viscosity) ||
+                          coefficients[q].viscosity ==
+                            viscosity * unit_symmetric_tensor<dim>(),
                         ExcMessage("A stress with a tensor viscosity must not "
                                    "say that it has a scalar one."));
             add(points[q].JxW * viscosity);
@@ -153,9 +156,10 @@ namespace Catena
     select_kernel(const bool curved, const bool scalar_viscosity)
     {
       using namespace CellKernels;
+      // with a scalar viscosity the sums are those of their transpose
       if (scalar_viscosity)
-        return curved ? &integrate<dim, Number, true, true, transposed> :
-                        &integrate<dim, Number, false, true, transposed>;
+        return curved ? &integrate<dim, Number, true, true, false> :
+                        &integrate<dim, Number, false, true, false>;
       return curved ? &integrate<dim, Number, true, false, transposed> :
                       &integrate<dim, Number, false, false, transposed>;
     }

@@ -89,6 +89,8 @@ namespace Catena
     responses.clear();
     velocity_rows.clear();
     pressure_rows.clear();
+    velocity_src = FastVectorType();
+    pressure_src = FastVectorType();
   }
 
 
@@ -109,6 +111,7 @@ namespace Catena
 
     multigrid = VelocityMultigrid<dim>(mesh, couplings, new_matrices);
     velocity_src.reinit(system->velocity_rhs);
+    pressure_src.reinit(system->pressure_rhs);
 
     initialize_mass();
     gap_pressures =

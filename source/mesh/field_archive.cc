@@ -1,3 +1,4 @@
+#include <catena/base/on_root.h>
 #include <catena/mesh/field_archive.h>
 
 #include <deal.II/base/mpi.h>
@@ -8,40 +9,6 @@
 namespace Catena
 {
   using namespace dealii;
-
-  namespace
-  {
-    /**
-     * All values of @p field by their global index, on rank 0. Ranks own
-     * contiguous ranges in their order.
-     */
-    std::vector<double>
-    on_root(const VectorType &field, const MPI_Comm communicator)
-    {
-      const int  n_owned = field.locally_owned_size();
-      const int  n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-      const bool is_root = Utilities::MPI::this_mpi_process(communicator) == 0;
-
-      std::vector<int> counts(n_ranks), offsets(n_ranks, 0);
-      MPI_Gather(
-        &n_owned, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, communicator);
-      for (int r = 1; r < n_ranks; ++r)
-        offsets[r] = offsets[r - 1] + counts[r - 1];
-      std::vector<double> values(is_root ? field.size() : 0);
-      MPI_Gatherv(field.begin(),
-                  n_owned,
-                  MPI_DOUBLE,
-                  values.data(),
-                  counts.data(),
-                  offsets.data(),
-                  MPI_DOUBLE,
-                  0,
-                  communicator);
-      return values;
-    }
-  } // namespace
-
-
 
   /// The global index of each value in the order in which it is archived.
   template <int dim>
@@ -76,8 +43,10 @@ namespace Catena
   FieldArchive<dim>::save(const VectorType                &field,
                           const std::vector<unsigned int> &order)
   {
-    const std::vector<double> values = on_root(field, mesh.communicator());
-    std::vector<double>       ordered(values.size());
+    // ranks own contiguous ranges in their order
+    const std::vector<double> values =
+      on_root(field.begin(), field.locally_owned_size(), mesh.communicator());
+    std::vector<double> ordered(values.size());
     for (std::size_t i = 0; i < values.size(); ++i)
       ordered[i] = values[order[i]];
     archive(ordered);
@@ -154,7 +123,11 @@ namespace Catena
     // sized first: a vector copied when the list grows loses its ghost values
     fields.resize(n);
     for (VectorType &field : fields)
-      scalar(field);
+      {
+        scalar(field);
+        if (is_loading() && field.size() == 0)
+          throw CheckpointError("a component of a tensor is missing");
+      }
   }
 
 

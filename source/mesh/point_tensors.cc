@@ -1,3 +1,4 @@
+#include <catena/base/on_root.h>
 #include <catena/mesh/point_tensors.h>
 
 #include <deal.II/base/mpi.h>
@@ -79,8 +80,8 @@ namespace Catena
 
 
 
-  /// By rank, its cells in the numbers of the description, how many numbers
-  /// each has, and these one cell after the other.
+  /// Of the cells of one rank after the other their numbers in the description,
+  /// how many numbers each has, and these.
   template <int dim, typename Number>
   void
   PointTensors<dim, Number>::save(Archive               &archive,
@@ -94,10 +95,9 @@ namespace Catena
             owned.push_back(cell.iterator->active_cell_index());
             sizes.push_back(begin[cell.index + 1] - begin[cell.index]);
           }
-    const MPI_Comm comm  = mesh.communicator();
-    auto           cells = Utilities::MPI::gather(comm, owned, 0),
-         counts          = Utilities::MPI::gather(comm, sizes, 0);
-    auto values          = Utilities::MPI::gather(comm, numbers, 0);
+    std::vector<unsigned int> cells  = on_root(owned, mesh.communicator()),
+                              counts = on_root(sizes, mesh.communicator());
+    std::vector<Number> values       = on_root(numbers, mesh.communicator());
     archive(cells, counts, values);
   }
 
@@ -107,38 +107,33 @@ namespace Catena
   void
   PointTensors<dim, Number>::load(Archive &archive, const MovingMesh<dim> &mesh)
   {
-    std::vector<std::vector<unsigned int>> cells, counts;
-    std::vector<std::vector<Number>>       values;
+    std::vector<unsigned int> cells, counts;
+    std::vector<Number>       values;
     archive(cells, counts, values);
     *this = PointTensors();
-    if (std::all_of(values.begin(), values.end(), [](const auto &of_rank) {
-          return of_rank.empty();
-        }))
+    if (cells.empty() && values.empty())
       return;
 
+    if (cells.size() != mesh.n_global_cells() || counts.size() != cells.size())
+      throw CheckpointError(
+        "it has tensors at the points of " + std::to_string(cells.size()) +
+        " cells in a mesh of " + std::to_string(mesh.n_global_cells()));
     // by cell of the description, where its numbers begin, and how many
-    std::vector<std::pair<const Number *, unsigned int>> saved(
-      mesh.n_global_cells(), {nullptr, 0});
-    bool complete =
-      cells.size() == values.size() && counts.size() == values.size();
-    for (unsigned int r = 0; complete && r < values.size(); ++r)
+    std::vector<std::pair<std::size_t, unsigned int>> saved(cells.size(),
+                                                            {0, 0});
+    std::size_t                                       first = 0;
+    for (unsigned int i = 0; i < cells.size(); ++i)
       {
-        complete          = cells[r].size() == counts[r].size();
-        std::size_t first = 0;
-        for (unsigned int i = 0; complete && i < cells[r].size(); ++i)
-          {
-            complete = cells[r][i] < saved.size() &&
-                       counts[r][i] <= values[r].size() - first;
-            if (complete)
-              saved[cells[r][i]] = {values[r].data() + first, counts[r][i]};
-            first += counts[r][i];
-          }
-        for (const Number number : values[r])
-          if (!std::isfinite(number))
-            throw CheckpointError("it has values that are not finite");
+        if (cells[i] >= saved.size() || counts[i] > values.size() - first)
+          throw CheckpointError("tensors at points are missing");
+        saved[cells[i]] = {first, counts[i]};
+        first += counts[i];
       }
-    if (!complete)
-      throw CheckpointError("tensors at points are missing");
+    if (first != values.size())
+      throw CheckpointError("it has more tensors at points than are known of");
+    for (const Number value : values)
+      if (!std::isfinite(value))
+        throw CheckpointError("it has values that are not finite");
 
     *this        = PointTensors(mesh);
     bool fitting = true;
@@ -147,7 +142,7 @@ namespace Catena
         {
           const auto &of_cell = saved[cell.iterator->active_cell_index()];
           if (of_cell.second == begin[cell.index + 1] - begin[cell.index])
-            std::copy_n(of_cell.first,
+            std::copy_n(values.begin() + of_cell.first,
                         of_cell.second,
                         numbers.begin() + begin[cell.index]);
           else

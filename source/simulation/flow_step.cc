@@ -299,8 +299,7 @@ namespace Catena
       {
         const bool complete =
           parameters.viscoelastic() ?
-            !instant.log_conformation.empty() &&
-              !instant.old_log_conformation.empty() :
+            !instant.log_conformation.empty() :
             !nonlinear_solver || instant.velocity.size() > 0;
         if (!complete)
           throw CheckpointError("what its preconditioner is of is missing");

@@ -188,6 +188,17 @@ namespace
    * Some differ in numbers only, which nothing can tell.
    */
   void
+  load(const std::string &bytes, const SimulationParameters &parameters)
+  {
+    Simulation<2> simulation(Tests::three_discs(), parameters, MPI_COMM_WORLD);
+    Archive       archive(bytes);
+    simulation.archive(archive);
+    archive.finish();
+  }
+
+
+
+  void
   test_content(Tests::Claims &claims, const FluidParameters::Model model)
   {
     auto parameters        = run_parameters();
@@ -203,6 +214,8 @@ namespace
       simulation.archive(archive);
       bytes = archive.bytes();
     }
+    claims.holds("the content itself is loaded",
+                 refusal([&]() { load(bytes, parameters); }).empty());
     Tests::Mutations mutations(11);
     unsigned int     n_loaded = 0, n_refused = 0;
     for (unsigned int i = 0; i < 200; ++i)
@@ -214,12 +227,7 @@ namespace
             mutations.damaged(bytes);
         try
           {
-            Simulation<2> simulation(Tests::three_discs(),
-                                     parameters,
-                                     MPI_COMM_WORLD);
-            Archive       archive(damaged);
-            simulation.archive(archive);
-            archive.finish();
+            load(damaged, parameters);
             ++n_loaded;
           }
         catch (const std::exception &)

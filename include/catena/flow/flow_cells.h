@@ -27,7 +27,8 @@ namespace Catena
    *
    *   int (L H + H L^T + k (B:L) B - p I) : grad v,   -int q div u
    *
-   * with the coefficients of StressCoefficients. What is known of the cells is
+   * with the coefficients of StressCoefficients; of a scalar viscosity H there
+   * is one number a point in place of a tensor. What is known of the cells is
    * kept as a sum of two numbers in single precision, to 2e-15: products in
    * double precision read both, those in single the first.
    */

@@ -37,11 +37,13 @@ namespace Catena
           vectors.back().push_back({i, vector.local_element(i)});
     }
 
-    /// By vector, its product with @p src.
+    /// By vector, its product with @p src. Collective, if there are vectors.
     std::vector<double>
     products(const FastVectorType &src) const
     {
       std::vector<double> result(vectors.size(), 0.);
+      if (result.empty())
+        return result;
       for (unsigned int k = 0; k < vectors.size(); ++k)
         for (const Entry &entry : vectors[k])
           result[k] += entry.value * src.local_element(entry.index);

@@ -10,8 +10,8 @@ namespace Catena
 {
   /**
    * Archives fields of a mesh: as their number of values and the values in
-   * the order of MovingMesh::node_order(), or of the cells, which are the same
-   * on any number of ranks.
+   * the order of MovingMesh::node_order(), which is the same on any number of
+   * ranks; tensors at points with the numbers of their cells.
    *
    * While saving, the values are gathered on rank 0, whose archive alone is
    * complete. While loading, every rank has the whole archive and takes what

@@ -48,8 +48,9 @@ namespace Catena
     of_cell(const Cell &cell) const;
 
     /**
-     * Save or load them as FieldArchive does with fields, cell by cell of the
-     * mesh's description. Collective.
+     * Save or load them, with the numbers of their cells in the mesh's
+     * description, which are the same on any number of ranks. As with
+     * FieldArchive, rank 0 saves all. Collective.
      */
     void
     archive(Archive &archive, const MovingMesh<dim> &mesh);
