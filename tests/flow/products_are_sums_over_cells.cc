@@ -75,6 +75,41 @@ namespace
 
 
 
+  /// Its viscosity is said to be a scalar, which it is not.
+  class WrongStress : public NewtonianStress<2>
+  {
+  public:
+    void
+    evaluate(const MovingMesh<2>::Cell          &cell,
+             const CellValues<2>                &values,
+             std::vector<StressCoefficients<2>> &coefficients) const override
+    {
+      NewtonianStress<2>::evaluate(cell, values, coefficients);
+      for (auto &point : coefficients)
+        point.viscosity[0][1] = 0.1;
+    }
+  };
+
+
+
+  bool
+  is_refused(const StressModel<2> &stress)
+  {
+    Tests::StokesProblem<2> problem(Tests::three_particles<2>(),
+                                    Tests::resolution(12, 1));
+    try
+      {
+        problem.solver.assemble(problem.configuration, stress);
+      }
+    catch (const ExceptionBase &)
+      {
+        return true;
+      }
+    return false;
+  }
+
+
+
   /// int (L H + H L^T + k (B:L) B - p I) : grad v - q div u
   template <int dim>
   double
@@ -307,5 +342,8 @@ main(int argc, char **argv)
     for (auto &particle : channel.particles)
       particle.radius = 0.5;
     test<2>(claims, channel, "channel");
+
+    claims.holds("a tensor that is said to be a scalar is refused",
+                 is_refused(WrongStress()));
   });
 }
