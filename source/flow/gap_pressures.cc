@@ -1,4 +1,5 @@
 #include <catena/flow/gap_pressures.h>
+#include <catena/mesh/cell_fields.h>
 #include <catena/particles/contacts.h>
 
 #include <algorithm>
@@ -134,29 +135,18 @@ namespace Catena
 
 
 
-    template <int dim>
-    Point<dim>
-    position(const MovingMesh<dim> &mesh, const unsigned int vertex)
-    {
-      const unsigned int node = mesh.node_of_vertex(vertex);
-      Point<dim>         p;
-      for (unsigned int d = 0; d < dim; ++d)
-        p[d] = mesh.positions()(dim * node + d);
-      return p;
-    }
-
-
-
-    /// What the symmetries of the scene make of @p p.
+    /// What the symmetries of a scene make of @p p.
     template <int dim>
     std::vector<Point<dim>>
-    copies(const Scene<dim> &scene, const Point<dim> &p)
+    copies(const std::vector<Image<dim>> &images,
+           const bool                     mirrored,
+           const Point<dim>              &p)
     {
       std::vector<Point<dim>> result;
-      for (const Image<dim> &image : scene.images())
+      for (const Image<dim> &image : images)
         {
           result.push_back(image(p));
-          if (scene.mirrored())
+          if (mirrored)
             {
               result.push_back(result.back());
               result.back()[dim - 1] *= -1.;
@@ -183,11 +173,16 @@ namespace Catena
     std::vector<VertexInFilm<dim>>
     vertices_in(const Film<dim> &film, const MovingMesh<dim> &mesh)
     {
+      const std::vector<Image<dim>>  images   = mesh.scene().images();
+      const bool                     mirrored = mesh.scene().mirrored();
       std::vector<VertexInFilm<dim>> result;
       for (const auto vertex : mesh.owned_scalars())
         if (mesh.vertex_master(vertex) == vertex)
           for (const Point<dim> &p :
-               copies(mesh.scene(), position(mesh, vertex)))
+               copies(images,
+                      mirrored,
+                      node_position<dim>(mesh.positions(),
+                                         mesh.node_of_vertex(vertex))))
             {
               const double q = film.share(p);
               if (q > 0.)
@@ -238,8 +233,8 @@ namespace Catena
         for (const Form<dim> &form : film.forms())
           {
             set_pressure(pressure, film, form, vertices);
+            mass.vmult(product, pressure);
             const auto norm = [&]() {
-              mass.vmult(product, pressure);
               return std::sqrt(std::max(0.f, pressure * product));
             };
             const double whole = norm();
