@@ -43,8 +43,9 @@ namespace Catena
    * index of the matrices of the preconditioner once for each product and each
    * sweep over them (those below the diagonal of the velocity's operator), with
    * the vectors of the sweep, and the basis of GMRES twice for each of its
-   * vectors. What the coarser levels of the multigrid and the other vectors
-   * take is left out.
+   * vectors. At the end of a basis the preconditioner is applied once more.
+   * What the coarser levels of the multigrid and the other vectors take is left
+   * out.
    */
   inline double
   bytes_of_a_solution(const FlowSystem<3>             &system,
@@ -81,8 +82,10 @@ namespace Catena
                  rest   = iterations - cycles * basis_size;
     const double basis =
       (cycles * basis_size * basis_size + rest * rest) * unknowns * single;
-    return iterations * (fast_product + preconditioner) + basis +
-           (1. + earlier_solutions) * fast_product + residuals * product;
+    return iterations * fast_product +
+           (iterations + std::ceil(iterations / basis_size)) * preconditioner +
+           basis + (1. + earlier_solutions) * fast_product +
+           residuals * product;
   }
 } // namespace Catena
 

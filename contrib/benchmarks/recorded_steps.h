@@ -25,15 +25,17 @@ struct RecordedStep
   std::vector<Catena::RigidMotion<3>> motions;
 
   Catena::StressPrediction<3>
-  stress(const Catena::MovingMesh<3>      &mesh,
-         const Catena::GiesekusParameters &fluid) const
+  stress(const Catena::MovingMesh<3>                    &mesh,
+         const Catena::GiesekusParameters               &fluid,
+         Catena::StressPrediction<3>::KnownConformation &storage) const
   {
     return Catena::StressPrediction<3>(mesh,
                                        Catena::Giesekus<3>(fluid),
                                        step,
                                        {old, old_unresolved},
                                        {older, older_unresolved},
-                                       fluid_motion);
+                                       fluid_motion,
+                                       storage);
   }
 };
 

@@ -179,17 +179,18 @@ private:
     {
       std::array<std::vector<std::pair<int, double>>, ElementMatrix::n> shares;
       for (unsigned int a = 0; a < ElementMatrix::n_nodes; ++a)
-        for (unsigned int d = 0; d < 3; ++d)
-          {
-            const auto &coupling = couplings[cell.nodes[a]];
+        {
+          const auto &coupling = couplings[cell.nodes[a]];
+          for (unsigned int d = 0; d < 3; ++d)
             if (coupling.factors[d] != 0.)
               shares[3 * a + d].emplace_back(
                 system.velocity_places[3 * coupling.master + d],
                 coupling.factors[d]);
-            for (const auto &motion : coupling.motions[d])
-              shares[3 * a + d].emplace_back(system.first_rigid + motion.first,
-                                             motion.second);
-          }
+          for (const auto &motion : coupling.motions)
+            shares[3 * a + motion.component].emplace_back(system.first_rigid +
+                                                            motion.unknown,
+                                                          motion.factor);
+        }
       for (unsigned int v = 0; v < ElementMatrix::n_vertices; ++v)
         {
           const int place =

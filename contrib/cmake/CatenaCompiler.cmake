@@ -80,7 +80,12 @@ function(catena_setup_library target)
   # a Debug build, where products and sums are not fused otherwise.
   set_source_files_properties(source/mesh/size_field.cc PROPERTIES
     COMPILE_OPTIONS "$<$<CONFIG:Debug>:-O3>"
-    SKIP_PRECOMPILE_HEADERS ON)
+    SKIP_PRECOMPILE_HEADERS ON
+    SKIP_UNITY_BUILD_INCLUSION ON)
+
+  # Compiled together with others, GCC 12 warns of Boost's integrators.
+  set_source_files_properties(source/rheology/shear_flow.cc PROPERTIES
+    SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
 function(catena_setup_program target)

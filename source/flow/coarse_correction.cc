@@ -32,8 +32,8 @@ namespace Catena
     for (const FieldOperator &some : operators)
       {
         products.push_back(
-          galerkin_product(*some.matrix, *some.prolongation, masks.size()));
-        prolongations.push_back({some.fields, some.prolongation});
+          galerkin_product(some.matrix.rows, *some.prolongation, masks.size()));
+        prolongations.push_back({some.matrix.fields, some.prolongation});
         all_rows.push_back(some.prolongation);
       }
     for (const SparseRows &product : products)
@@ -49,22 +49,20 @@ namespace Catena
         return;
       }
 
-    const NodeMatrix                      shared(products.front(), nodes);
-    std::vector<LaneEntries::FieldMatrix> others;
-    for (unsigned int g = 1; g < operators.size(); ++g)
-      others.push_back({operators[g].fields, NodeMatrix(products[g], nodes)});
-    level =
-      std::make_unique<MultigridLevel>(shared,
-                                       masks,
-                                       LaneEntries(shared, others, masks));
+    std::vector<FieldMatrix> matrices;
     for (unsigned int g = 0; g < operators.size(); ++g)
       {
-        const FieldMask        fields = operators[g].fields;
-        const NodeMatrix      &matrix = g == 0 ? shared : others[g - 1].matrix;
+        products[g].make_local(*nodes);
+        matrices.push_back(
+          {operators[g].matrix.fields, NodeRows(products[g], nodes)});
+      }
+    level = std::make_unique<MultigridLevel>(matrices, masks);
+    for (const FieldMatrix &matrix : matrices)
+      {
         std::vector<FieldMask> field_masks;
         for (const FieldMask mask : masks)
-          field_masks.push_back(mask & fields);
-        const SmoothedAggregation aggregation(matrix, field_masks);
+          field_masks.push_back(mask & matrix.fields);
+        const SmoothedAggregation aggregation(matrix.rows, field_masks);
         const unsigned int        n_without =
           std::count(field_masks.begin(), field_masks.end(), 0);
         const unsigned int n_nodes = Utilities::MPI::sum<unsigned int>(
@@ -73,8 +71,7 @@ namespace Catena
                              aggregation.masks.size(), comm);
         if (n_coarser < worst_reduction * n_nodes)
           coarser.emplace_back(
-            std::vector<FieldOperator>{
-              {fields, &matrix, &aggregation.prolongation}},
+            std::vector<FieldOperator>{{matrix, &aggregation.prolongation}},
             aggregation.masks,
             comm);
       }

@@ -1,6 +1,8 @@
 #include <catena/base/replicated.h>
 #include <catena/flow/earlier_solutions.h>
 
+#include <deal.II/lac/vector.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -19,6 +21,20 @@ namespace Catena
      * below that it is noise, and the step would be large.
      */
     constexpr double smallest_share = 1e-3;
+
+
+
+    /// dst += factor (x - x_0), in the blocks that both have.
+    void
+    add_difference(BlockVectorType       &dst,
+                   const double           factor,
+                   const BlockVectorType &x,
+                   const BlockVectorType &x_0)
+    {
+      for (unsigned int b = 0; b < std::min(x.n_blocks(), x_0.n_blocks()); ++b)
+        if (x.block(b).size() == x_0.block(b).size())
+          dst.block(b).add(factor, x.block(b), -factor, x_0.block(b));
+    }
   } // namespace
 
 
@@ -72,24 +88,18 @@ namespace Catena
     double       norm           = residual.l2_norm();
     const double smallest_image = smallest_share * norm;
 
-    // directions whose images under A are orthonormal
-    const BlockVectorType        first_guess = guess;
-    std::vector<BlockVectorType> directions, images;
-    for (const BlockVectorType &solution : solutions)
+    // directions whose images under A are orthonormal, as sums over x_i - x_0
+    std::vector<Vector<double>>  directions;
+    std::vector<BlockVectorType> images;
+    Vector<double>               factors(solutions.size());
+    for (unsigned int n = 0; n < solutions.size() && norm > wanted; ++n)
       {
-        if (norm <= wanted)
-          return;
-        BlockVectorType direction(guess), image(guess);
-        direction = 0.;
-        for (unsigned int b = 0;
-             b < std::min(solution.n_blocks(), guess.n_blocks());
-             ++b)
-          if (solution.block(b).size() == guess.block(b).size())
-            {
-              direction.block(b) = solution.block(b);
-              direction.block(b) -= first_guess.block(b);
-            }
-        system.vmult(image, direction);
+        BlockVectorType difference(guess), image(guess);
+        difference = 0.;
+        add_difference(difference, 1., solutions[n], guess);
+        system.vmult(image, difference);
+        Vector<double> direction(solutions.size());
+        direction(n) = 1.;
         for (unsigned int i = 0; i < images.size(); ++i)
           {
             const double projection = image * images[i];
@@ -104,10 +114,16 @@ namespace Catena
 
         const double alpha = residual * image;
         norm = std::sqrt(residual.add_and_dot(-alpha, image, residual));
-        guess.add(alpha, direction);
+        factors.add(alpha, direction);
         directions.push_back(std::move(direction));
         images.push_back(std::move(image));
       }
+
+    images.clear();
+    const BlockVectorType first_guess = guess;
+    for (unsigned int n = 0; n < solutions.size(); ++n)
+      if (factors(n) != 0.)
+        add_difference(guess, factors(n), solutions[n], first_guess);
   }
 
 

@@ -60,6 +60,34 @@ namespace Catena
 
     /// of the wanted residual, what single precision aims at
     constexpr double solver_share = 0.9;
+
+
+
+    /**
+     * GMRES, preconditioned from the right. A strong preconditioner is another
+     * one in each iteration, so that GMRES has to keep what it gave; of the
+     * usual one it does not: that is half of the memory, and one application
+     * more.
+     */
+    template <int dim>
+    void
+    run_gmres(SolverControl                  &control,
+              const FlowOperator<dim, float> &system,
+              FastBlockVectorType            &solution,
+              const FastBlockVectorType      &rhs,
+              const FlowPreconditioner<dim>  &preconditioner)
+    {
+      using Flexible = SolverFGMRES<FastBlockVectorType>;
+      using Usual    = SolverGMRES<FastBlockVectorType>;
+      // of the vectors deal.II uses one and two for other things
+      const unsigned int n = FlowSolver<dim>::basis_size;
+      if (preconditioner.is_strong())
+        Flexible(control, typename Flexible::AdditionalData(n + 1))
+          .solve(system, solution, rhs, preconditioner);
+      else
+        Usual(control, typename Usual::AdditionalData(n + 2, true))
+          .solve(system, solution, rhs, preconditioner);
+    }
   } // namespace
 
 
@@ -116,8 +144,11 @@ namespace Catena
     const Configuration<dim> &new_configuration)
   {
     configuration = new_configuration;
-    couplings     = node_couplings<dim>(
-      *mesh, velocity_constraints<dim>(*mesh, *bodies, configuration, held));
+    const AffineConstraints<double> constraints =
+      velocity_constraints<dim>(*mesh, *bodies, configuration, held);
+    // the former ones first, whose memory these take
+    couplings = std::vector<NodeCoupling<dim>>();
+    couplings = node_couplings<dim>(*mesh, constraints);
   }
 
 
@@ -162,11 +193,8 @@ namespace Catena
     preconditioner_is_fresh = preconditioner_is_due;
     if (preconditioner_is_due)
       {
-        preconditioner.initialize(*mesh,
-                                  couplings,
-                                  *system,
-                                  *preconditioner_matrices,
-                                  configuration);
+        preconditioner.initialize(
+          *mesh, couplings, *system, *preconditioner_matrices, configuration);
         preconditioner_matrices->release_components();
       }
     preconditioner_is_due = false;
@@ -257,17 +285,14 @@ namespace Catena
         SolverControl control(
           std::min(parameters.max_iterations - iterations, basis_size),
           std::max(solver_share * wanted / norm, largest_reduction));
-        // of the basis deal.II leaves one vector unused
-        typename SolverFGMRES<FastBlockVectorType>::AdditionalData data(
-          basis_size + 1);
         double enough = smallest_progress;
         try
           {
-            SolverFGMRES<FastBlockVectorType>(control, data)
-              .solve(fast_system,
-                     fast_correction,
-                     fast_residual,
-                     preconditioner);
+            run_gmres(control,
+                      fast_system,
+                      fast_correction,
+                      fast_residual,
+                      preconditioner);
           }
         catch (const SolverControl::NoConvergence &)
           {

@@ -86,9 +86,9 @@ namespace Catena
                                                    coupling.factors.end(),
                                                    is_one))
           continue;
-        for (unsigned int d = 0; d < dim; ++d)
-          for (const auto &motion : coupling.motions[d])
-            node_motions.push_back({d, motion.first, motion.second});
+        node_motions.insert(node_motions.end(),
+                            coupling.motions.begin(),
+                            coupling.motions.end());
         coupled_nodes.push_back(
           {local,
            node_partitioner.global_to_local(coupling.master),

@@ -183,10 +183,11 @@ namespace Catena
             if (coupling.factors[d] != 0.)
               value +=
                 coupling.factors[d] * disturbance(dim * coupling.master + d);
-            for (const auto &motion : coupling.motions[d])
-              value += motion.second * motions[motion.first];
             fields.velocity(dim * node + d) = value;
           }
+        for (const NodeMotion &motion : coupling.motions)
+          fields.velocity(dim * node + motion.component) +=
+            motion.factor * motions[motion.unknown];
       }
     fields.velocity.update_ghost_values();
 

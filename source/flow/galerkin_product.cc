@@ -113,7 +113,7 @@ namespace Catena
 
 
     SparseRows
-    multiply(const NodeMatrix &matrix,
+    multiply(const NodeRows   &matrix,
              const SparseRows &owned,
              const SparseRows &ghosts,
              RowSum           &sum)
@@ -141,7 +141,7 @@ namespace Catena
 
 
   SparseRows
-  galerkin_product(const NodeMatrix  &matrix,
+  galerkin_product(const NodeRows    &matrix,
                    const SparseRows  &prolongation,
                    const unsigned int n_coarse)
   {

@@ -4,10 +4,12 @@
 
 namespace Catena
 {
-  LaneEntries::LaneEntries(const NodeMatrix               &shared,
-                           const std::vector<FieldMatrix> &others,
+  LaneEntries::LaneEntries(const std::vector<FieldMatrix> &matrices,
                            const std::vector<FieldMask>   &masks)
   {
+    if (matrices.size() == 1)
+      return;
+    const NodeRows                 &shared = matrices.front().rows;
     const std::vector<unsigned int> node_fields =
       with_ghosts({masks.begin(), masks.end()}, shared.column_nodes());
     for (unsigned int i = 0; i < shared.n_rows(); ++i)
@@ -18,12 +20,13 @@ namespace Catena
             const unsigned int fields =
               node_fields[i] & node_fields[shared.column(k)];
             Lanes differences = {};
-            for (const FieldMatrix &other : others)
-              AssertDimension(other.matrix.column(k), shared.column(k));
-            for (const FieldMatrix &other : others)
-              for (unsigned int lane = 0; lane < n_lanes; ++lane)
-                if (((other.fields & fields) >> lane) & 1U)
-                  differences[lane] = other.matrix.value(k) - shared.value(k);
+            for (const FieldMatrix &matrix : matrices)
+              {
+                AssertDimension(matrix.rows.column(k), shared.column(k));
+                for (unsigned int lane = 0; lane < n_lanes; ++lane)
+                  if (((matrix.fields & fields) >> lane) & 1U)
+                    differences[lane] = matrix.rows.value(k) - shared.value(k);
+              }
             bool differs = false;
             for (unsigned int lane = 0; lane < n_lanes; ++lane)
               differs = differs || differences[lane] != 0.f;

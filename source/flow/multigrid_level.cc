@@ -2,10 +2,11 @@
 
 namespace Catena
 {
-  MultigridLevel::MultigridLevel(const NodeMatrix             &matrix,
-                                 const std::vector<FieldMask> &masks,
-                                 const LaneEntries            &extra)
+  MultigridLevel::MultigridLevel(const std::vector<FieldMatrix> &matrices,
+                                 const std::vector<FieldMask>   &masks)
   {
+    const NodeRows    &matrix = matrices.front().rows;
+    const LaneEntries  extra(matrices, masks);
     const unsigned int n        = matrix.n_rows();
     const auto         is_lower = [](const unsigned int row,
                              const unsigned int column) {

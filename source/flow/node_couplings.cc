@@ -26,8 +26,10 @@ namespace Catena
             coupling.known[d]   = constraints.get_inhomogeneity(dof);
             for (const auto &entry : *constraints.get_constraint_entries(dof))
               if (entry.first >= n_velocity)
-                coupling.motions[d].emplace_back(entry.first - n_velocity,
-                                                 entry.second);
+                coupling.motions.push_back(
+                  {d,
+                   static_cast<unsigned int>(entry.first - n_velocity),
+                   entry.second});
               else
                 {
                   coupling.master     = entry.first / dim;

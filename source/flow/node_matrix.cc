@@ -8,48 +8,13 @@ namespace Catena
 {
   using namespace dealii;
 
-  NodeMatrix::NodeMatrix(const SparseRows                  &global_rows,
-                         std::shared_ptr<const Partitioner> column_nodes)
-    : nodes(std::move(column_nodes))
-  {
-    reserve(global_rows.starts);
-    for (unsigned int i = 0; i < global_rows.size(); ++i)
-      {
-        for (unsigned int k = global_rows.starts[i];
-             k < global_rows.starts[i + 1];
-             ++k)
-          rows.add(nodes->global_to_local(global_rows.columns[k]),
-                   global_rows.values[k]);
-        end_row();
-      }
-  }
-
-
-
-  NodeMatrix::NodeMatrix(const BlockPattern       &pattern,
-                         const std::vector<float> &entries)
-    : nodes(pattern.column_nodes())
-  {
-    reserve(pattern.row_starts());
-    for (unsigned int i = 0; i < pattern.n_rows(); ++i)
-      {
-        for (unsigned int k = pattern.row_start(i);
-             k < pattern.row_start(i + 1);
-             ++k)
-          rows.add(pattern.local_columns()[k], entries[k]);
-        end_row();
-      }
-  }
-
-
-
   void
-  NodeMatrix::reserve(const std::vector<unsigned int> &starts)
+  NodeMatrix::reserve(const std::vector<unsigned int> &row_sizes)
   {
     unsigned int n_entries = 0;
-    for (unsigned int i = 0; i + 1 < starts.size(); ++i)
-      n_entries += (starts[i + 1] - starts[i] + stride - 1) / stride * stride;
-    rows.starts.reserve(starts.size());
+    for (const unsigned int n : row_sizes)
+      n_entries += (n + stride - 1) / stride * stride;
+    rows.starts.reserve(row_sizes.size() + 1);
     rows.columns.reserve(n_entries);
     rows.values.reserve(n_entries);
   }
@@ -67,11 +32,11 @@ namespace Catena
 
 
   float
-  NodeMatrix::diagonal(const unsigned int i) const
+  NodeRows::diagonal(const unsigned int i) const
   {
-    for (unsigned int k = rows.starts[i]; k < rows.starts[i + 1]; ++k)
-      if (rows.columns[k] == i)
-        return rows.values[k];
+    for (unsigned int k = starts[i]; k < starts[i + 1]; ++k)
+      if (columns[k] == i)
+        return values[k];
     return 0.f;
   }
 

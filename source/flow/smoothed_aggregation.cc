@@ -25,7 +25,7 @@ namespace Catena
      * nodes.
      */
     double
-    largest_eigenvalue(const NodeMatrix             &matrix,
+    largest_eigenvalue(const NodeRows               &matrix,
                        const std::vector<float>     &diagonal,
                        const std::vector<FieldMask> &masks)
     {
@@ -72,7 +72,7 @@ namespace Catena
 
 
   SmoothedAggregation::SmoothedAggregation(
-    const NodeMatrix             &matrix,
+    const NodeRows               &matrix,
     const std::vector<FieldMask> &node_masks)
   {
     const auto        &nodes = matrix.column_nodes();
@@ -132,7 +132,7 @@ namespace Catena
 
 
   std::vector<unsigned int>
-  SmoothedAggregation::aggregate(const NodeMatrix             &matrix,
+  SmoothedAggregation::aggregate(const NodeRows               &matrix,
                                  const std::vector<float>     &diagonal,
                                  const std::vector<FieldMask> &node_masks)
   {

@@ -74,14 +74,15 @@ namespace Catena
                                           const TimeStep        &step,
                                           const Conformation    &now,
                                           const Conformation    &before,
-                                          const Motion          &motion)
+                                          const Motion          &motion,
+                                          KnownConformation     &storage)
     : mesh(mesh)
     , model(model)
     , step(step)
     , now(now)
     , before(before)
     , motion(motion)
-    , known_conformation(mesh)
+    , known_conformation(storage)
   {}
 
 
@@ -179,14 +180,16 @@ namespace Catena
 
 
   template <int dim>
-  PointTensors<dim>
+  void
   StressPrediction<dim>::unresolved_conformation(
     const VectorType              &velocity,
-    const std::vector<VectorType> &log_conformation) const
+    const std::vector<VectorType> &log_conformation,
+    PointTensors<dim>             &result) const
   {
-    const double      implicit_time = step.dt / step.bdf().a0;
-    PointTensors<dim> result(mesh);
-    CellValues<dim>   values;
+    if (result.empty())
+      result = PointTensors<dim>(mesh);
+    const double    implicit_time = step.dt / step.bdf().a0;
+    CellValues<dim> values;
     for (const Cell &cell : mesh.cells())
       {
         if (!cell.owned)
@@ -207,7 +210,6 @@ namespace Catena
                        c_p - exponential(interpolate<dim>(pack, s)));
           }
       }
-    return result;
   }
 
 

@@ -22,27 +22,20 @@ namespace Catena
       }
     const VertexInterpolation<dim> interpolation(mesh, couplings, groups);
 
-    const NodeMatrix                      shared(matrices.node_pairs(),
-                            matrices.component_matrices.front().entries);
-    std::vector<LaneEntries::FieldMatrix> others;
-    for (unsigned int g = 1; g < groups.size(); ++g)
-      others.push_back({fields[g],
-                        NodeMatrix(matrices.node_pairs(),
-                                   matrices.component_matrices[g].entries)});
-
+    std::vector<FieldMatrix>                     field_matrices;
     std::vector<CoarseCorrection::FieldOperator> operators;
     for (unsigned int g = 0; g < groups.size(); ++g)
-      operators.push_back({fields[g],
-                           g == 0 ? &shared : &others[g - 1].matrix,
-                           &interpolation.prolongations[g]});
-    correction        = std::make_unique<CoarseCorrection>(operators,
+      {
+        field_matrices.push_back(
+          {fields[g], matrices.rows(matrices.component_matrices[g])});
+        operators.push_back(
+          {field_matrices.back(), &interpolation.prolongations[g]});
+      }
+    correction = std::make_unique<CoarseCorrection>(operators,
                                                     interpolation.vertex_masks,
                                                     mesh.communicator());
-    const auto &masks = interpolation.node_masks;
-    finest =
-      std::make_unique<MultigridLevel>(shared,
-                                       masks,
-                                       LaneEntries(shared, others, masks));
+    finest     = std::make_unique<MultigridLevel>(field_matrices,
+                                              interpolation.node_masks);
   }
 
 

@@ -23,13 +23,6 @@ namespace Catena
          CellValues<dim>::rule(true).size()}};
       return counts[curved];
     }
-
-    template <int dim>
-    unsigned int
-    n_packs(const bool curved)
-    {
-      return (n_points<dim>(curved) + pack_size - 1) / pack_size;
-    }
   } // namespace
 
 
@@ -42,7 +35,7 @@ namespace Catena
     for (const Cell &cell : mesh.cells())
       begin.push_back(
         begin.back() +
-        (cell.owned ? n_packs<dim>(cell.curved) * numbers_per_pack : 0));
+        (cell.owned ? n_points<dim>(cell.curved) * n_components : 0));
     numbers.resize(begin.back());
   }
 
@@ -56,10 +49,10 @@ namespace Catena
     PackValues                           pack;
     for (pack.first = 0; pack.first < result.size(); pack.first += pack_size)
       {
+        pack.n_points =
+          std::min<unsigned int>(pack_size, result.size() - pack.first);
         const Tensors tensors = get(cell, pack);
-        for (unsigned int k = 0;
-             k < pack_size && pack.first + k < result.size();
-             ++k)
+        for (unsigned int k = 0; k < pack.n_points; ++k)
           result[pack.first + k] = lane<dim>(tensors, k);
       }
     return result;
@@ -84,8 +77,7 @@ namespace Catena
   /// how many numbers each has, and these.
   template <int dim, typename Number>
   void
-  PointTensors<dim, Number>::save(Archive               &archive,
-                                  const MovingMesh<dim> &mesh) const
+  PointTensors<dim, Number>::save(Archive &archive, const MovingMesh<dim> &mesh)
   {
     std::vector<unsigned int> owned, sizes;
     if (!empty())
@@ -97,8 +89,14 @@ namespace Catena
           }
     std::vector<unsigned int> cells  = on_root(owned, mesh.communicator()),
                               counts = on_root(sizes, mesh.communicator());
-    std::vector<Number> values       = on_root(numbers, mesh.communicator());
-    archive(cells, counts, values);
+    archive(cells, counts);
+    if (Utilities::MPI::n_mpi_processes(mesh.communicator()) == 1)
+      archive(numbers); // large: without a copy
+    else
+      {
+        std::vector<Number> values = on_root(numbers, mesh.communicator());
+        archive(values);
+      }
   }
 
 

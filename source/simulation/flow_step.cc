@@ -36,6 +36,10 @@ namespace Catena
     preconditioner_instant = Instant();
     prediction.reset();
     motion.reset();
+    // the former ones first: together they would take twice the memory
+    known_conformation = KnownConformation();
+    if (parameters.viscoelastic())
+      known_conformation = KnownConformation(*mesh);
     flow_solver.reinit(*mesh, *bodies, configuration, held_in_place);
   }
 
@@ -80,7 +84,7 @@ namespace Catena
   FlowStep<dim>::predict(const TimeStep     &step,
                          const Conformation &now,
                          const Conformation &before,
-                         const Motion       &motion) const
+                         const Motion       &motion)
   {
     return std::make_unique<StressPrediction<dim>>(
       *mesh,
@@ -88,7 +92,8 @@ namespace Catena
       step,
       now,
       before.logarithm.empty() ? now : before,
-      motion);
+      motion,
+      known_conformation);
   }
 
 
@@ -219,9 +224,9 @@ namespace Catena
   {
     Assert(prediction, ExcMessage("No flow has been solved for."));
     const auto timer = run_report.time("unresolved conformation");
-    next.unresolved_conformation =
-      prediction->unresolved_conformation(next.flow.velocity,
-                                          next.log_conformation);
+    prediction->unresolved_conformation(next.flow.velocity,
+                                        next.log_conformation,
+                                        next.unresolved_conformation);
     prediction.reset();
     motion.reset();
   }

@@ -1,4 +1,5 @@
 #include <catena/base/exceptions.h>
+#include <catena/base/release_memory.h>
 #include <catena/base/replace_field.h>
 #include <catena/base/wall_clock.h>
 #include <catena/flow/velocity_constraints.h>
@@ -130,6 +131,8 @@ namespace Catena
                      held);
     if (conformation_solver)
       conformation_solver->reinit(mesh());
+    // what the mesher and the transfer of fields have left
+    release_memory();
     run_report.note("elements", mesh().n_global_cells());
     run_report.note("unknowns of the flow", flow_step.n_unknowns());
     run_report.note("unknowns of the conformation",
@@ -181,9 +184,16 @@ namespace Catena
       run_report.count("rejected steps");
 
     const bool last_held_step = held && !protocol.holds(next.time);
-    state.before              = std::move(state.now);
-    state.now                 = std::move(next);
-    state.last_dt             = result.dt;
+    if (conformation_solver)
+      {
+        // in the place of one that is not needed any more
+        next.unresolved_conformation =
+          std::move(state.before.unresolved_conformation);
+        flow_step.find_unresolved_conformation(next);
+      }
+    state.before  = std::move(state.now);
+    state.now     = std::move(next);
+    state.last_dt = result.dt;
     hold_contacts();
     if (last_held_step)
       let_go();
@@ -250,7 +260,6 @@ namespace Catena
         report.conformation_iterations =
           solve_conformation(next, step, velocity_of_mesh);
         inject(StepPart::conformation, next);
-        flow_step.find_unresolved_conformation(next);
       }
     report.dt    = step.dt;
     report.error = step_error<dim>(state, next, predicted, step, held);

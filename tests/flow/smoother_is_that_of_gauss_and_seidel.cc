@@ -159,19 +159,20 @@ main(int argc, char **argv)
     IndexSet owned(n);
     owned.add_range(nodes_of_rank * rank, nodes_of_rank * (rank + 1));
 
-    const SparseRows shared_rows = rows(0, owned);
-    const auto       nodes = make_nodes(nodes_of_rank, {&shared_rows}, comm);
-    const NodeMatrix matrix(shared_rows, nodes);
+    SparseRows shared_rows = rows(0, owned),
+               other_rows  = rows(other_field, owned);
+    const auto nodes       = make_nodes(nodes_of_rank, {&shared_rows}, comm);
+    shared_rows.make_local(*nodes);
+    other_rows.make_local(*nodes);
     std::vector<FieldMask> masks(nodes_of_rank);
     for (unsigned int i = 0; i < nodes_of_rank; ++i)
       for (unsigned int field = 0; field < n_lanes; ++field)
         if (has_unknown(field, nodes->local_to_global(i)))
           masks[i] |= 1U << field;
-    const LaneEntries    extra(matrix,
-                            {{FieldMask(1U << other_field),
-                                 NodeMatrix(rows(other_field, owned), nodes)}},
-                            masks);
-    const MultigridLevel level(matrix, masks, extra);
+    const FieldMask      other = 1U << other_field, all = (1U << n_lanes) - 1;
+    const MultigridLevel level({{FieldMask(all & ~other), {shared_rows, nodes}},
+                                {other, {other_rows, nodes}}},
+                               masks);
 
     const auto set = [&](NodeVector &vector, const auto &value) {
       for (unsigned int i = 0; i < nodes_of_rank; ++i)

@@ -106,16 +106,18 @@ simulate(const Scene<dim>         &scene,
   if (StressPrediction<dim>::numerical_viscosity(Giesekus<dim>(fluid)) > 0.)
     motion.smooth_strain_rate =
       StrainRateProjection<dim>(mesh).project(state.now.flow.velocity);
-  const StressPrediction<dim>          prediction(mesh,
+  typename StressPrediction<dim>::KnownConformation storage(mesh);
+  const StressPrediction<dim>                       prediction(mesh,
                                          Giesekus<dim>(fluid),
                                          {report.dt, report.dt},
                                          {s, state.now.unresolved_conformation},
                                          {state.before.log_conformation,
-                                                   state.before.unresolved_conformation},
-                                         motion);
-  std::vector<StressCoefficients<dim>> coefficients;
-  CellValues<dim>                      values;
-  const auto                          &cell = mesh.cells().front();
+                                                                state.before.unresolved_conformation},
+                                         motion,
+                                         storage);
+  std::vector<StressCoefficients<dim>>              coefficients;
+  CellValues<dim>                                   values;
+  const auto                                       &cell = mesh.cells().front();
   values.reinit(mesh.cell_positions(cell, mesh.positions()), cell.curved);
   prediction.evaluate(cell, values, coefficients);
   result.stress = coefficients.front().stress(scene.imposed_gradient());

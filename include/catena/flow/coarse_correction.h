@@ -27,9 +27,8 @@ namespace Catena
     /// What some of the fields share.
     struct FieldOperator
     {
-      FieldMask fields;
       /// A of the finer level
-      const NodeMatrix *matrix;
+      FieldMatrix matrix;
       /// the rows of P of this rank's nodes
       const SparseRows *prolongation;
     };

@@ -58,8 +58,8 @@ namespace Catena
    *   force and torque of the fluid + F_external + F_r = 0,
    *
    * and, in a pressure-driven scene, with the flow rate,
-   * for the disturbance of the imposed shear flow, by FGMRES with
-   * FlowPreconditioner, from a first guess improved by EarlierSolutions. FGMRES
+   * for the disturbance of the imposed shear flow, by GMRES with
+   * FlowPreconditioner, from a first guess improved by EarlierSolutions. GMRES
    * works in single precision, on a correction of the residual in double
    * precision, and again where that asks for it. The preconditioner is kept
    * until the iterations lost since it was made, against its best solve by
@@ -70,8 +70,7 @@ namespace Catena
   {
   public:
     /// Iterations after which the residual is found anew, in double precision:
-    /// a longer basis saves few, and takes two vectors and more products for
-    /// each.
+    /// a longer basis saves few, and takes a vector and more products for each.
     static constexpr unsigned int basis_size = 20;
 
     explicit FlowSolver(const FlowSolverParameters &parameters);

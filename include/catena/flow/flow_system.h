@@ -150,12 +150,6 @@ namespace Catena
       unsigned int            end_of_motions;
     };
 
-    /// Share of a rigid-body unknown in a component of the velocity of a node.
-    struct NodeMotion
-    {
-      unsigned int component, unknown;
-      double       factor;
-    };
 
     /// A vertex whose pressure is that of another, by their local nodes.
     struct IdentifiedVertex

@@ -16,7 +16,7 @@ namespace Catena
    * @return the rows of this rank
    */
   SparseRows
-  galerkin_product(const NodeMatrix  &matrix,
+  galerkin_product(const NodeRows    &matrix,
                    const SparseRows  &prolongation,
                    const unsigned int n_coarse);
 } // namespace Catena

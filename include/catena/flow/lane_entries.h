@@ -17,22 +17,14 @@ namespace Catena
   class LaneEntries
   {
   public:
-    /// The matrix of some of the fields.
-    struct FieldMatrix
-    {
-      FieldMask  fields;
-      NodeMatrix matrix;
-    };
-
     LaneEntries() = default;
 
     /**
-     * @param shared the shared matrix
-     * @param others those of other fields, with entries in the same places
+     * @param matrices of the fields, with entries in the same places; the first
+     * one is the shared matrix
      * @param masks which fields have an unknown, by node of this rank
      */
-    LaneEntries(const NodeMatrix               &shared,
-                const std::vector<FieldMatrix> &others,
+    LaneEntries(const std::vector<FieldMatrix> &matrices,
                 const std::vector<FieldMask>   &masks);
 
     /// The entries whose @p predicate, of row and column, is true.

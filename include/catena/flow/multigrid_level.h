@@ -31,13 +31,12 @@ namespace Catena
   {
   public:
     /**
-     * @param matrix A, of which a copy of what is needed is kept
+     * @param matrices A of the fields, with entries in the same places, of
+     * which a copy of what is needed is kept
      * @param masks which fields have an unknown, by node of this rank
-     * @param extra what A has more than @p matrix for some of the fields
      */
-    MultigridLevel(const NodeMatrix             &matrix,
-                   const std::vector<FieldMask> &masks,
-                   const LaneEntries            &extra = {});
+    MultigridLevel(const std::vector<FieldMatrix> &matrices,
+                   const std::vector<FieldMask>   &masks);
 
     unsigned int
     n_nodes() const

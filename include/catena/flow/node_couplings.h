@@ -6,11 +6,19 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <array>
-#include <utility>
 #include <vector>
 
 namespace Catena
 {
+  /// Share of a rigid-body unknown in a component of the velocity of a node.
+  struct NodeMotion
+  {
+    unsigned int component, unknown;
+    double       factor;
+  };
+
+
+
   /**
    * The constraints of the velocity read node by node: a node stands for itself
    * or its master, each component with a factor (0: no unknown), or it belongs
@@ -25,8 +33,8 @@ namespace Catena
     /// known part of the velocity
     std::array<double, dim> known;
 
-    /// rigid-body unknowns and their factors, of a node on a particle
-    std::array<std::vector<std::pair<unsigned int, double>>, dim> motions;
+    /// of a node on a particle, component by component
+    std::vector<NodeMotion> motions;
 
     bool
     has_unknown() const

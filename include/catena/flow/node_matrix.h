@@ -70,6 +70,14 @@ namespace Catena
       starts.push_back(columns.size());
     }
 
+    /// Columns by their local numbers in place of global ones.
+    void
+    make_local(const dealii::Utilities::MPI::Partitioner &nodes)
+    {
+      for (unsigned int &column : columns)
+        column = nodes.global_to_local(column);
+    }
+
     /// Append row @p i of @p other.
     void
     append(const SparseRows &other, const unsigned int i)
@@ -89,10 +97,117 @@ namespace Catena
 
 
 
+  class NodeMatrix;
+
+  /**
+   * The rows of this rank of a sparse matrix between the nodes of a level. The
+   * entries are somebody else's and stay where they are.
+   */
+  class NodeRows
+  {
+  public:
+    using Partitioner = dealii::Utilities::MPI::Partitioner;
+
+    /**
+     * @param starts where rows begin, and the end of the last one
+     * @param columns, values of the entries, the columns in local numbers
+     * @param nodes the nodes that are the columns
+     */
+    NodeRows(const std::vector<unsigned int>   &starts,
+             const unsigned int                *columns,
+             const float                       *values,
+             std::shared_ptr<const Partitioner> nodes)
+      : starts(starts.data())
+      , columns(columns)
+      , values(values)
+      , size(starts.size() - 1)
+      , nodes(std::move(nodes))
+    {}
+
+    /// @param rows with columns in local numbers
+    NodeRows(const SparseRows &rows, std::shared_ptr<const Partitioner> nodes)
+      : NodeRows(rows.starts,
+                 rows.columns.data(),
+                 rows.values.data(),
+                 std::move(nodes))
+    {}
+
+    unsigned int
+    n_rows() const
+    {
+      return size;
+    }
+
+    /// The nodes that are the columns.
+    const Partitioner &
+    column_nodes() const
+    {
+      return *nodes;
+    }
+
+    /// The range of the entries of row @p i.
+    std::pair<unsigned int, unsigned int>
+    row(const unsigned int i) const
+    {
+      return {starts[i], starts[i + 1]};
+    }
+
+    /// Column of an entry, as a local number.
+    unsigned int
+    column(const unsigned int entry) const
+    {
+      return columns[entry];
+    }
+
+    float
+    value(const unsigned int entry) const
+    {
+      return values[entry];
+    }
+
+    /// Entry (i,i) of a matrix whose rows and columns are the same nodes.
+    float
+    diagonal(const unsigned int i) const;
+
+    /// (A src)_i; ghosts of @p src are needed.
+    Lanes
+    row_times(const unsigned int i, const Lanes *src) const
+    {
+      Lanes sum = {};
+      for (unsigned int k = starts[i]; k < starts[i + 1]; ++k)
+        sum += values[k] * src[columns[k]];
+      return sum;
+    }
+
+    /// The entries that are not zero and whose @p predicate, of row and column,
+    /// is true.
+    template <typename Predicate>
+    NodeMatrix
+    select(const Predicate &predicate) const;
+
+  private:
+    const unsigned int                *starts, *columns;
+    const float                       *values;
+    unsigned int                       size;
+    std::shared_ptr<const Partitioner> nodes;
+  };
+
+
+
+  /// The matrix of some of the fields.
+  struct FieldMatrix
+  {
+    FieldMask fields;
+    NodeRows  rows;
+  };
+
+
+
   /**
    * A sparse matrix in single precision between the nodes of a level, the
-   * same for all fields, with its rows distributed over the ranks. Each row has
-   * a multiple of four entries; what it lacks are zeros in its last column.
+   * same for all fields, with its rows distributed over the ranks, to multiply
+   * with. Each row has a multiple of four entries; what it lacks are zeros in
+   * its last column.
    */
   class NodeMatrix
   {
@@ -100,17 +215,6 @@ namespace Catena
     using Partitioner = dealii::Utilities::MPI::Partitioner;
 
     NodeMatrix() = default;
-
-    /**
-     * @param rows the rows of this rank
-     * @param nodes the nodes that are the columns; those of other ranks in
-     * @p rows are among its ghosts
-     */
-    NodeMatrix(const SparseRows                  &rows,
-               std::shared_ptr<const Partitioner> nodes);
-
-    /// @param entries by pair of nodes in the pattern
-    NodeMatrix(const BlockPattern &pattern, const std::vector<float> &entries);
 
     unsigned int
     n_rows() const
@@ -125,46 +229,6 @@ namespace Catena
       return *nodes;
     }
 
-    /// The range of the entries of row @p i.
-    std::pair<unsigned int, unsigned int>
-    row(const unsigned int i) const
-    {
-      return {rows.starts[i], rows.starts[i + 1]};
-    }
-
-    /// Column of an entry, as a local number.
-    unsigned int
-    column(const unsigned int entry) const
-    {
-      return rows.columns[entry];
-    }
-
-    float
-    value(const unsigned int entry) const
-    {
-      return rows.values[entry];
-    }
-
-    /// The entries that are not zero and whose @p predicate, of row and column,
-    /// is true.
-    template <typename Predicate>
-    NodeMatrix
-    select(const Predicate &predicate) const
-    {
-      NodeMatrix selected;
-      selected.nodes = nodes;
-      for (unsigned int i = 0; i < n_rows(); ++i)
-        {
-          for (unsigned int k = rows.starts[i]; k < rows.starts[i + 1]; ++k)
-            if (rows.values[k] != 0.f && predicate(i, rows.columns[k]))
-              selected.rows.add(rows.columns[k], rows.values[k]);
-          selected.end_row();
-        }
-      selected.rows.columns.shrink_to_fit();
-      selected.rows.values.shrink_to_fit();
-      return selected;
-    }
-
     /// Sum of |a_ij| over the columns j.
     float
     sum_of_moduli(const unsigned int i) const
@@ -174,10 +238,6 @@ namespace Catena
         sum += std::abs(rows.values[k]);
       return sum;
     }
-
-    /// Entry (i,i) of a matrix whose rows and columns are the same nodes.
-    float
-    diagonal(const unsigned int i) const;
 
     /// (A src)_i; ghosts of @p src are needed.
     Lanes
@@ -215,14 +275,42 @@ namespace Catena
     SparseRows                         rows;
     std::shared_ptr<const Partitioner> nodes;
 
+    friend class NodeRows;
+
     /// Room for rows that have so many entries without the zeros.
     void
-    reserve(const std::vector<unsigned int> &starts);
+    reserve(const std::vector<unsigned int> &row_sizes);
 
     /// With zeros up to a multiple of the stride.
     void
     end_row();
   };
+
+
+
+  template <typename Predicate>
+  NodeMatrix
+  NodeRows::select(const Predicate &predicate) const
+  {
+    const auto is_selected = [&](const unsigned int i, const unsigned int k) {
+      return values[k] != 0.f && predicate(i, columns[k]);
+    };
+    std::vector<unsigned int> row_sizes(size, 0);
+    for (unsigned int i = 0; i < size; ++i)
+      for (unsigned int k = starts[i]; k < starts[i + 1]; ++k)
+        row_sizes[i] += is_selected(i, k) ? 1 : 0;
+    NodeMatrix selected;
+    selected.nodes = nodes;
+    selected.reserve(row_sizes);
+    for (unsigned int i = 0; i < size; ++i)
+      {
+        for (unsigned int k = starts[i]; k < starts[i + 1]; ++k)
+          if (is_selected(i, k))
+            selected.rows.add(columns[k], values[k]);
+        selected.end_row();
+      }
+    return selected;
+  }
 
 
 

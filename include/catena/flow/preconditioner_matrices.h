@@ -4,6 +4,7 @@
 #include <catena/flow/block_matrix.h>
 #include <catena/flow/flow_element.h>
 #include <catena/flow/node_couplings.h>
+#include <catena/flow/node_matrix.h>
 #include <catena/mesh/moving_mesh.h>
 
 #include <memory>
@@ -70,6 +71,16 @@ namespace Catena
     node_pairs() const
     {
       return *node_pattern;
+    }
+
+    /// The operator of a group, whose entries stay where they are.
+    NodeRows
+    rows(const ComponentMatrix &group) const
+    {
+      return {node_pattern->row_starts(),
+              node_pattern->local_columns(),
+              group.entries.data(),
+              node_pattern->column_nodes()};
     }
 
   private:

@@ -37,7 +37,7 @@ namespace Catena
      * @param masks of this rank's nodes, without fields that have another
      * operator
      */
-    SmoothedAggregation(const NodeMatrix             &matrix,
+    SmoothedAggregation(const NodeRows               &matrix,
                         const std::vector<FieldMask> &masks);
 
     /// The rows of P of this rank's nodes.
@@ -50,7 +50,7 @@ namespace Catena
 
     /// Aggregate of each of this rank's nodes, or none.
     std::vector<unsigned int>
-    aggregate(const NodeMatrix             &matrix,
+    aggregate(const NodeRows               &matrix,
               const std::vector<float>     &diagonal,
               const std::vector<FieldMask> &node_masks);
   };

@@ -97,17 +97,23 @@ namespace Catena
     static double
     numerical_viscosity(const Giesekus<dim> &model);
 
+    /// The part of c_p that is known before the velocity.
+    using KnownConformation = PointTensors<dim, double>;
+
     /**
-     * @param mesh kept by reference, as the motion is
+     * @param mesh kept by reference, as motion and storage are
      * @param now, before the conformation at t^n and t^(n-1)
      * @param motion see Motion
+     * @param storage of this mesh. It is large: to ask for the memory in each
+     * step would leave gaps in it.
      */
     StressPrediction(const MovingMesh<dim> &mesh,
                      const Giesekus<dim>   &model,
                      const TimeStep        &step,
                      const Conformation    &now,
                      const Conformation    &before,
-                     const Motion          &motion);
+                     const Motion          &motion,
+                     KnownConformation     &storage);
 
     /// @param values with the rules of CellValues
     void
@@ -119,11 +125,12 @@ namespace Catena
      * c' = c_p - exp(s) at the new instant, with the velocity and the
      * log-conformation that were solved for. The stress has been evaluated in
      * all cells of this rank, on the mesh as it is.
+     * @param result of this mesh, or empty
      */
-    PointTensors<dim>
-    unresolved_conformation(
-      const VectorType              &velocity,
-      const std::vector<VectorType> &log_conformation) const;
+    void
+    unresolved_conformation(const VectorType              &velocity,
+                            const std::vector<VectorType> &log_conformation,
+                            PointTensors<dim>             &result) const;
 
   private:
     using Tensors    = dealii::SymmetricTensor<2, dim, Pack>;
@@ -144,8 +151,8 @@ namespace Catena
     const Conformation     now, before;
     const Motion          &motion;
 
-    /// of c_p, left by evaluate(): it takes long to compute
-    mutable PointTensors<dim, double> known_conformation;
+    /// left by evaluate(): it takes long to compute
+    KnownConformation &known_conformation;
 
     Prediction
     predict(const CellData        &data,

@@ -8,6 +8,7 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace Catena
@@ -36,7 +37,8 @@ namespace Catena
       return numbers.empty();
     }
 
-    /// Those of some points of an owned cell.
+    /// Those of some points of an owned cell; lanes beyond the last point have
+    /// its tensor.
     Tensors
     get(const Cell &cell, const PackValues &pack) const;
 
@@ -57,15 +59,14 @@ namespace Catena
 
   private:
     /// by cell of the mesh, where its numbers begin, and the end of all: by
-    /// pack, component and lane
+    /// pack, component and point
     std::vector<unsigned int> begin;
     std::vector<Number>       numbers;
 
-    static constexpr unsigned int n_components = n_symmetric_components(dim),
-                                  numbers_per_pack = n_components * pack_size;
+    static constexpr unsigned int n_components = n_symmetric_components(dim);
 
     void
-    save(Archive &archive, const MovingMesh<dim> &mesh) const;
+    save(Archive &archive, const MovingMesh<dim> &mesh);
 
     void
     load(Archive &archive, const MovingMesh<dim> &mesh);
@@ -84,9 +85,8 @@ namespace Catena
                                       const PackValues &pack) const
   {
     Assert(cell.owned, dealii::ExcInternalError());
-    const unsigned int first =
-      begin[cell.index] + pack.first / pack_size * numbers_per_pack;
-    Assert(first + numbers_per_pack <= begin[cell.index + 1],
+    const unsigned int first = begin[cell.index] + n_components * pack.first;
+    Assert(first + n_components * pack.n_points <= begin[cell.index + 1],
            dealii::ExcMessage("The rule is not that of CellValues."));
     return first;
   }
@@ -99,9 +99,14 @@ namespace Catena
   {
     Tensors       tensors;
     const Number *next = numbers.data() + position(cell, pack);
-    for (unsigned int k = 0; k < n_components; ++k, next += pack_size)
-      tensors.access_raw_entry(k) =
-        Pack(next, std::experimental::element_aligned);
+    for (unsigned int k = 0; k < n_components; ++k, next += pack.n_points)
+      if (pack.n_points == pack_size)
+        tensors.access_raw_entry(k) =
+          Pack(next, std::experimental::element_aligned);
+      else
+        tensors.access_raw_entry(k) = Pack([&](const unsigned int lane) {
+          return next[std::min(lane, pack.n_points - 1)];
+        });
     return tensors;
   }
 
@@ -114,9 +119,15 @@ namespace Catena
                                  const Tensors    &tensors)
   {
     Number *next = numbers.data() + position(cell, pack);
-    for (unsigned int k = 0; k < n_components; ++k, next += pack_size)
-      tensors.access_raw_entry(k).copy_to(next,
-                                          std::experimental::element_aligned);
+    for (unsigned int k = 0; k < n_components; ++k, next += pack.n_points)
+      {
+        const Pack &entries = tensors.access_raw_entry(k);
+        if (pack.n_points == pack_size)
+          entries.copy_to(next, std::experimental::element_aligned);
+        else
+          for (unsigned int lane = 0; lane < pack.n_points; ++lane)
+            next[lane] = entries[lane];
+      }
   }
 } // namespace Catena
 

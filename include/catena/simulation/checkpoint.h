@@ -56,7 +56,7 @@ namespace Catena
   {
   public:
     /// Increased whenever what is archived changes.
-    static constexpr unsigned int version = 5;
+    static constexpr unsigned int version = 6;
 
     Checkpoint(const std::string &directory, const MPI_Comm communicator);
 

@@ -51,7 +51,7 @@ namespace Catena
 
     /**
      * Of @p next, the flow of which was solved for last, and the
-     * log-conformation afterwards.
+     * log-conformation afterwards, in place of the tensors it has there.
      */
     void
     find_unresolved_conformation(Level<dim> &next);
@@ -105,13 +105,15 @@ namespace Catena
     Instant preconditioner_instant;
 
     /// On which the stress of a viscoelastic fluid depends.
-    using Conformation = typename StressPrediction<dim>::Conformation;
-    using Motion       = typename StressPrediction<dim>::Motion;
+    using Conformation      = typename StressPrediction<dim>::Conformation;
+    using Motion            = typename StressPrediction<dim>::Motion;
+    using KnownConformation = typename StressPrediction<dim>::KnownConformation;
 
     /// Of the last solve in a viscoelastic fluid, until
     /// find_unresolved_conformation().
     std::unique_ptr<Motion>                motion;
     std::unique_ptr<StressPrediction<dim>> prediction;
+    KnownConformation                      known_conformation;
 
     std::unique_ptr<Motion>
     motion_towards(const Level<dim> &next,
@@ -123,7 +125,7 @@ namespace Catena
     predict(const TimeStep     &step,
             const Conformation &now,
             const Conformation &before,
-            const Motion       &motion) const;
+            const Motion       &motion);
 
     /// Does the stress of a step have a part with the smooth rate of strain?
     bool
