@@ -7,6 +7,11 @@ if(CATENA_WARNINGS_AS_ERRORS)
   add_compile_options(-Werror)
 endif()
 
+# Several files at a time are included in one, which GCC then takes for headers.
+if(CMAKE_UNITY_BUILD)
+  add_compile_options(-Wno-subobject-linkage)
+endif()
+
 if(CATENA_SANITIZE)
   add_compile_options(-fsanitize=${CATENA_SANITIZE}
     -fno-sanitize-recover=all -fno-omit-frame-pointer -g1)
@@ -81,10 +86,6 @@ function(catena_setup_library target)
   set_source_files_properties(source/mesh/size_field.cc PROPERTIES
     COMPILE_OPTIONS "$<$<CONFIG:Debug>:-O3>"
     SKIP_PRECOMPILE_HEADERS ON
-    SKIP_UNITY_BUILD_INCLUSION ON)
-
-  # Compiled together with others, GCC 12 warns of Boost's integrators.
-  set_source_files_properties(source/rheology/shear_flow.cc PROPERTIES
     SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 

@@ -252,7 +252,7 @@ namespace
           << "]";
     };
     out << std::setprecision(10) << "{\"code\": \"Catena\", \"solver\": "
-        << "\"FGMRES, multigrid\", \"cells\": " << mesh.n_global_cells()
+        << "\"GMRES, multigrid\", \"cells\": " << mesh.n_global_cells()
         << ", \"unknowns\": " << solver.n_unknowns()
         << ", \"set_up\": " << set_up << ", \"assembly\": " << assembly
         << ", \"preconditioner\": " << first_assembly - assembly

@@ -20,6 +20,9 @@ namespace Catena
     /// of the norm of a pressure, what the others must leave of it
     constexpr double smallest_remainder = 1e-2;
 
+    /// Each one costs the preconditioner a vector and its product.
+    constexpr unsigned int most_pressures = 32;
+
 
 
     /// A power of q, times the coordinate in a tangential direction or 1.
@@ -45,6 +48,12 @@ namespace Catena
         normal                = (other.centre - one.centre) / distance;
         width                 = distance - one.radius - other.radius;
         middle                = one.centre + (one.radius + width / 2.) * normal;
+      }
+
+      bool
+      operator<(const Film &film) const
+      {
+        return width < film.width;
       }
 
       std::vector<Form<dim>>
@@ -83,10 +92,10 @@ namespace Catena
       }
 
     private:
-      const Surface<dim> one, other;
-      Tensor<1, dim>     normal;
-      double             width;
-      Point<dim>         middle;
+      Surface<dim>   one, other;
+      Tensor<1, dim> normal;
+      double         width;
+      Point<dim>     middle;
 
       /// The first one in the plane of the shear if the normal is.
       std::vector<Tensor<1, dim>>
@@ -114,6 +123,7 @@ namespace Catena
 
 
 
+    /// The narrowest first.
     template <int dim>
     std::vector<Film<dim>>
     films(const Scene<dim> &scene, const Configuration<dim> &configuration)
@@ -130,6 +140,7 @@ namespace Catena
         if (contact.partner == Contact<dim>::Partner::particle)
           result.emplace_back(surface(contact.i, {}),
                               surface(contact.j, contact.image));
+      std::stable_sort(result.begin(), result.end());
       return result;
     }
 
@@ -229,6 +240,8 @@ namespace Catena
     product.reinit(pressure);
     for (const Film<dim> &film : films(mesh.scene(), configuration))
       {
+        if (size() >= most_pressures)
+          break;
         const auto vertices = vertices_in(film, mesh);
         for (const Form<dim> &form : film.forms())
           {

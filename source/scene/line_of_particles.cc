@@ -3,6 +3,7 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <array>
 #include <cmath>
 
 namespace Catena
@@ -104,7 +105,8 @@ namespace Catena
     if (!rotational)
       result.particles.push_back({-outer});
     const unsigned int other = n_particles == 3 ? 0 : 1;
-    result.line              = {{first, rotational ? first : other}};
+    result.line =
+      std::array<unsigned int, 2>{{first, rotational ? first : other}};
     return result;
   }
 

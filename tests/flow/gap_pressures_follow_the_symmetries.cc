@@ -1,5 +1,6 @@
 // The pressures of a narrow gap: as many as there are forms with the symmetries
-// of the scene, orthonormal in the mass matrix, and none for a wide gap.
+// of the scene, orthonormal in the mass matrix, and none for a wide gap; of
+// many gaps there are some.
 
 #include <catena/flow/flow_assembly.h>
 #include <catena/flow/gap_pressures.h>
@@ -88,5 +89,12 @@ main(int argc, char **argv)
     test<3>(claims, "very narrow", three_particles<3>(2.02), 5);
     test<3>(claims, "wide", three_particles<3>(2.3), 0);
     test<2>(claims, "discs", three_particles<2>(), 3);
+
+    // 24 gaps with three forms each: 32 are reached with the eleventh
+    Scene<2> grid;
+    grid.symmetry = Symmetry::none;
+    for (unsigned int i = 0; i < 16; ++i)
+      grid.particles.push_back({{2.1 * (i % 4) - 3.15, 2.1 * (i / 4) - 3.15}});
+    test<2>(claims, "many discs", grid, 33);
   });
 }

@@ -57,4 +57,5 @@ main(int argc, char **argv)
   RheometerParameters carreau = make_parameters(Model::carreau, 0.);
   carreau.curves              = {"steady_shear", "steady_extension"};
   record("carreau", carreau, output);
+  return 0;
 }

@@ -4,6 +4,7 @@
 
 #include <catena/simulation/run.h>
 
+#include <array>
 #include <sstream>
 
 #include "../tests.h"
@@ -51,7 +52,7 @@ namespace
     scene.symmetry             = Symmetry::none;
     scene.particles[0].on_axis = false;
     scene.particles.push_back({-1. * scene.particles[1].centre});
-    scene.line = {{1, 2}};
+    scene.line = std::array<unsigned int, 2>{{1, 2}};
     return scene;
   }
 

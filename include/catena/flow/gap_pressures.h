@@ -22,8 +22,8 @@ namespace Catena
    * direction, from shearing; in a very narrow film, whose pressures have more
    * forms, also q and x_t q^2. They have the symmetries of the scene, and are
    * made orthonormal in M; forms that do not have those symmetries, or that the
-   * mesh does not tell apart, are left out. Particles that are both fixed have
-   * no film, nor have walls.
+   * mesh does not tell apart, are left out, and where there are many films the
+   * wider ones. Particles that are both fixed have no film, nor have walls.
    *
    * The constructor, products() and remove() are collective.
    */
