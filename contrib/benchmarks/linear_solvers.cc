@@ -21,6 +21,7 @@
  * README.md tells more.
  */
 
+#include <catena/base/release_memory.h>
 #include <catena/flow/earlier_solutions.h>
 #include <catena/flow/flow_assembly.h>
 #include <catena/flow/flow_operator.h>
@@ -34,8 +35,6 @@
 
 #include <deal.II/lac/solver_gmres.h>
 #include <deal.II/lac/trilinos_solver.h>
-
-#include <malloc.h>
 
 #include <fstream>
 #include <iostream>
@@ -100,7 +99,7 @@ namespace
     run(const std::deque<RecordedStep> &steps)
     {
       // the peak of the memory is counted from here
-      malloc_trim(0);
+      release_memory();
       std::ofstream("/proc/self/clear_refs") << 5;
       Utilities::System::MemoryStats before, after;
       Utilities::System::get_memory_stats(before);
