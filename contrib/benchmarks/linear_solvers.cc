@@ -25,7 +25,6 @@
 #include <catena/flow/earlier_solutions.h>
 #include <catena/flow/flow_assembly.h>
 #include <catena/flow/flow_operator.h>
-#include <catena/flow/flow_preconditioner.h>
 #include <catena/flow/flow_unknowns.h>
 #include <catena/flow/velocity_constraints.h>
 #include <catena/scene/line_of_particles.h>
@@ -107,14 +106,7 @@ namespace
       Costs costs;
       mesh.set_positions(steps[0].positions);
       first_assembly(steps[0], costs);
-      FlowFields<3> fields = steps[0].first_guess;
-      fields.velocity      = 0.;
-      for (const auto node : mesh.owned_nodes())
-        fields.velocity(3 * node) = -mesh.positions()(3 * node + 1);
-      fields.velocity.update_ghost_values();
-      fields.pressure = 0.;
-      fields.motions =
-        reference_motions<3>(mesh.scene(), steps[0].configuration, false);
+      FlowFields<3> fields  = imposed_flow(mesh, steps[0].configuration, false);
       costs.solve_from_zero = cpu_seconds(
         [&] { costs.iterations_from_zero = solve(fields, steps[0].forces); });
 

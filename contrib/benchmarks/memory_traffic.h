@@ -1,9 +1,9 @@
 #ifndef catena_contrib_benchmarks_memory_traffic_h
 #define catena_contrib_benchmarks_memory_traffic_h
 
-#include <catena/flow/flow_solver.h>
 #include <catena/flow/flow_system.h>
 #include <catena/flow/preconditioner_matrices.h>
+#include <catena/flow/refined_gmres.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +55,7 @@ namespace Catena
     constexpr double index = 4., single = 4., whole = 8.;
     constexpr double sweeps = 2., mass_products = 2., earlier_solutions = 4.,
                      residuals  = 2.;
-    constexpr double basis_size = FlowSolver<3>::basis_size;
+    constexpr double basis_size = RefinedGmres<3>::basis_size;
     // the right-hand side is read or written, residual and solution are read
     // and written, the diagonal is read
     constexpr double vectors_of_a_sweep = 6.;

@@ -41,20 +41,6 @@ struct RecordedStep
 
 
 
-inline Catena::VectorType
-combination(const double              a,
-            const Catena::VectorType &x,
-            const double              b,
-            const Catena::VectorType &y)
-{
-  Catena::VectorType result = x;
-  result.sadd(a, b, y);
-  result.update_ghost_values();
-  return result;
-}
-
-
-
 /**
  * The step to the present state of @p simulation.
  * @param older the level two steps ago
@@ -77,19 +63,7 @@ record(const Catena::Simulation<3> &simulation,
   result.motions          = now.flow.motions;
 
   const auto w       = step.extrapolation();
-  result.first_guess = old.flow;
-  result.first_guess.velocity =
-    combination(w.b0, old.flow.velocity, w.b1, older.flow.velocity);
-  result.first_guess.pressure =
-    combination(w.b0, old.flow.pressure, w.b1, older.flow.pressure);
-  for (unsigned int i = 0; i < result.motions.size(); ++i)
-    {
-      auto       &guess  = result.first_guess.motions[i];
-      const auto &before = older.flow.motions[i];
-      guess.velocity     = w.b0 * guess.velocity + w.b1 * before.velocity;
-      guess.angular_velocity =
-        w.b0 * guess.angular_velocity + w.b1 * before.angular_velocity;
-    }
+  result.first_guess = Catena::combination(w.b0, old.flow, w.b1, older.flow);
   result.first_guess.contact_forces.clear();
 
   const auto bdf    = step.bdf();

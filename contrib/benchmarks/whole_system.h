@@ -63,12 +63,6 @@ public:
     n_places += n_rigid;
   }
 
-  unsigned int
-  n() const
-  {
-    return n_places;
-  }
-
   /// A matrix of zeros.
   CompressedRows
   pattern(const std::vector<Catena::NodeCoupling<3>> &couplings) const

@@ -13,7 +13,6 @@
  * - catena.json: what it took, and the motions of the particles.
  */
 
-#include <catena/base/program_options.h>
 #include <catena/flow/flow_solver.h>
 #include <catena/flow/velocity_constraints.h>
 #include <catena/mesh/mesh_mover.h>
@@ -172,21 +171,6 @@ namespace
 
 
 
-  FlowFields<3>
-  imposed_flow(const MovingMesh<3> &mesh, const Configuration<3> &configuration)
-  {
-    FlowFields<3> fields;
-    fields.velocity = mesh.vector_field();
-    for (const auto node : mesh.owned_nodes())
-      fields.velocity(3 * node) = -mesh.positions()(3 * node + 1);
-    fields.velocity.update_ghost_values();
-    fields.pressure = mesh.scalar_field();
-    fields.motions  = reference_motions<3>(mesh.scene(), configuration, false);
-    return fields;
-  }
-
-
-
   void
   run(const MeshParameters &mesh_parameters,
       const double          tolerance,
@@ -217,7 +201,7 @@ namespace
     parameters.tolerance = tolerance;
     FlowSolver<3>             solver(parameters);
     const std::vector<double> no_forces(bodies.n_unknowns(), 0.);
-    FlowFields<3>             fields     = imposed_flow(mesh, now);
+    FlowFields<3>             fields     = imposed_flow(mesh, now, false);
     unsigned int              iterations = 0, step_iterations = 0;
 
     const double set_up =

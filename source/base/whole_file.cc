@@ -12,21 +12,44 @@ namespace Catena
 {
   namespace
   {
-    /// Bring a file or a directory to the disk.
-    bool
-    sync(const std::string &path, const int flags)
+    /// An open file or folder.
+    class Opened
     {
-      const int file = open(path.c_str(), flags);
-      if (file < 0)
-        return false;
-      // some file systems cannot do this with a directory, and need not
-      const bool good =
-        fsync(file) == 0 || ((flags & O_DIRECTORY) != 0 && errno == EINVAL);
-      const int error = errno;
-      close(file);
-      errno = error;
-      return good;
-    }
+    public:
+      Opened(const std::string &path, const int flags)
+        : file(open(path.c_str(), flags))
+      {}
+
+      ~Opened()
+      {
+        const int error = errno;
+        if (file >= 0)
+          close(file);
+        errno = error;
+      }
+
+      Opened(const Opened &) = delete;
+
+      Opened &
+      operator=(const Opened &) = delete;
+
+      bool
+      is_open() const
+      {
+        return file >= 0;
+      }
+
+      /// Bring it to the disk.
+      bool
+      sync() const
+      {
+        // some file systems cannot do this with a folder, and need not
+        return is_open() && (fsync(file) == 0 || errno == EINVAL);
+      }
+
+    private:
+      const int file;
+    };
 
 
 
@@ -53,11 +76,13 @@ namespace Catena
   int
   WholeFile::publish(const std::string &path)
   {
-    const auto folder = std::filesystem::absolute(path).parent_path().string();
-    const bool good   = sync(draft(path), O_WRONLY) &&
+    const Opened folder(std::filesystem::absolute(path).parent_path().string(),
+                        O_RDONLY | O_DIRECTORY);
+    const bool   good = folder.is_open() &&
+                      Opened(draft(path), O_WRONLY).sync() &&
                       std::rename(draft(path).c_str(), path.c_str()) == 0 &&
                       // a new name lasts when its folder is on the disk as well
-                      sync(folder, O_RDONLY | O_DIRECTORY);
+                      folder.sync();
     return good ? 0 : give_up(path);
   }
 

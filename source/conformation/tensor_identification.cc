@@ -19,10 +19,8 @@ namespace Catena
         masters[vertex]         = mesh.vertex_master(vertex);
         for (unsigned int k = 0; k < component_factors.size(); ++k)
           {
-            const auto ij =
-              SymmetricTensor<2, dim>::unrolled_to_component_indices(k);
-            const bool odd_in_z = (ij[0] < 2) != (ij[1] < 2);
-            if (!odd_in_z || !mesh.on_mirror(node))
+            // what changes its sign about z does so at a mirror, too
+            if (!changes_sign_about_z<dim>(k) || !mesh.on_mirror(node))
               component_factors[k][vertex] = static_cast<signed char>(
                 identification.template tensor_factor<dim>(node, k));
           }

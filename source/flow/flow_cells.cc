@@ -1,7 +1,6 @@
 #include <catena/flow/cell_kernels.h>
 #include <catena/flow/flow_cells.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -2,16 +2,15 @@
 #include <catena/flow/flow_assembly.h>
 #include <catena/flow/flow_operator.h>
 #include <catena/flow/flow_solver.h>
+#include <catena/flow/refined_gmres.h>
 #include <catena/flow/velocity_constraints.h>
 
-#include <deal.II/lac/solver_gmres.h>
-#include <deal.II/lac/vector_memory.h>
+#include <deal.II/lac/solver_control.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
-#include <utility>
 
 namespace Catena
 {
@@ -53,41 +52,6 @@ namespace Catena
     /// error of a contact force against the norm of the residual, usually,
     /// and at most, where a tight network makes the problem stiff
     constexpr double usual_force_error = 300., largest_force_error = 3e4;
-
-    /// by one solution in single precision: of the residual, and what a useful
-    /// one gives at least
-    constexpr double largest_reduction = 1e-6, smallest_progress = 0.5;
-
-    /// of the wanted residual, what single precision aims at
-    constexpr double solver_share = 0.9;
-
-
-
-    /**
-     * GMRES, preconditioned from the right. A strong preconditioner is another
-     * one in each iteration, so that GMRES has to keep what it gave; of the
-     * usual one it does not: that is half of the memory, and one application
-     * more.
-     */
-    template <int dim>
-    void
-    run_gmres(SolverControl                  &control,
-              const FlowOperator<dim, float> &system,
-              FastBlockVectorType            &solution,
-              const FastBlockVectorType      &rhs,
-              const FlowPreconditioner<dim>  &preconditioner)
-    {
-      using Flexible = SolverFGMRES<FastBlockVectorType>;
-      using Usual    = SolverGMRES<FastBlockVectorType>;
-      // of the vectors deal.II uses one and two for other things
-      const unsigned int n = FlowSolver<dim>::basis_size;
-      if (preconditioner.is_strong())
-        Flexible(control, typename Flexible::AdditionalData(n + 1))
-          .solve(system, solution, rhs, preconditioner);
-      else
-        Usual(control, typename Usual::AdditionalData(n + 2, true))
-          .solve(system, solution, rhs, preconditioner);
-    }
   } // namespace
 
 
@@ -243,8 +207,7 @@ namespace Catena
 
 
   /**
-   * Corrections from the system in single precision, as long as the residual of
-   * the system itself asks for one.
+   * From the first guess @p solution, improved by earlier solutions.
    */
   template <int dim>
   unsigned int
@@ -252,70 +215,22 @@ namespace Catena
                            const BlockVectorType &rhs,
                            const ContactBlocks   &contacts)
   {
-    const FlowOperator<dim, double> whole_system{*system, contacts};
-    const FlowOperator<dim, float>  fast_system{*system, contacts};
-    preconditioner.set_contacts(contacts);
-
-    BlockVectorType residual(rhs), correction(rhs);
-    const auto      find_residual = [&]() {
-      whole_system.vmult(residual, solution);
-      residual.sadd(-1., 1., rhs);
-      return residual.l2_norm();
-    };
-    const auto release =
-      GrowingVectorMemory<FastBlockVectorType>::release_unused_memory;
     const bool   is_of_an_instant = wanted_residual == 0.;
     const double wanted           = target(rhs);
     if (is_of_an_instant)
-      earlier_solutions.improve(fast_system,
+      earlier_solutions.improve(FlowOperator<dim, float>{*system, contacts},
                                 rhs,
-                                solver_share * wanted,
+                                RefinedGmres<dim>::single_precision_share *
+                                  wanted,
                                 solution);
-    double norm = find_residual();
-
-    const double first_norm = norm;
-    unsigned int iterations = 0;
-    while (!(norm <= wanted))
-      {
-        // of length one, far from the limits of single precision
-        residual *= 1. / norm;
-        FastBlockVectorType fast_residual, fast_correction;
-        fast_residual = residual;
-        fast_correction.reinit(fast_residual);
-        SolverControl control(
-          std::min(parameters.max_iterations - iterations, basis_size),
-          std::max(solver_share * wanted / norm, largest_reduction));
-        double enough = smallest_progress;
-        try
-          {
-            run_gmres(control,
-                      fast_system,
-                      fast_correction,
-                      fast_residual,
-                      preconditioner);
-          }
-        catch (const SolverControl::NoConvergence &)
-          {
-            // the correction is what the basis gives
-            enough = 1.;
-          }
-        release();
-        iterations += control.last_step();
-        correction = fast_correction;
-        solution.add(norm, correction);
-        const double last_norm = std::exchange(norm, find_residual());
-        // little is left to be gained near the end
-        if (last_norm < wanted / smallest_progress)
-          enough = 1.;
-        if (!(norm <= wanted) && (iterations >= parameters.max_iterations ||
-                                  !(norm < enough * last_norm)))
-          throw SolverControl::NoConvergence(iterations, norm);
-      }
-    decades = std::log10(first_norm / norm);
+    const auto result =
+      RefinedGmres<dim>(*system, contacts, preconditioner)
+        .solve(solution, rhs, wanted, parameters.max_iterations);
+    decades = result.decades;
     unknowns().normalise_pressure(solution.block(1));
     if (is_of_an_instant)
       earlier_solutions.remember(solution);
-    return iterations;
+    return result.iterations;
   }
 
 

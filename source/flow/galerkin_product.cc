@@ -2,7 +2,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <algorithm>
 #include <map>
 
 namespace Catena
@@ -145,11 +144,9 @@ namespace Catena
                    const SparseRows  &prolongation,
                    const unsigned int n_coarse)
   {
-    const Partitioner        &nodes = matrix.column_nodes();
-    const MPI_Comm            comm  = nodes.get_mpi_communicator();
-    std::vector<unsigned int> first = {0};
-    for (const unsigned int n : Utilities::MPI::all_gather(comm, n_coarse))
-      first.push_back(first.back() + n);
+    const Partitioner &nodes    = matrix.column_nodes();
+    const MPI_Comm     comm     = nodes.get_mpi_communicator();
+    const auto         first    = first_of_ranks(n_coarse, comm);
     const unsigned int own_rank = Utilities::MPI::this_mpi_process(comm);
 
     RowSum           sum(first.back());

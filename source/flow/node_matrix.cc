@@ -2,7 +2,6 @@
 #include <catena/flow/node_matrix.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace Catena
 {
@@ -42,17 +41,27 @@ namespace Catena
 
 
 
+  std::vector<unsigned int>
+  first_of_ranks(const unsigned int n_owned, const MPI_Comm communicator)
+  {
+    std::vector<unsigned int> first = {0};
+    for (const unsigned int n :
+         Utilities::MPI::all_gather(communicator, n_owned))
+      first.push_back(first.back() + n);
+    return first;
+  }
+
+
+
   std::shared_ptr<const Utilities::MPI::Partitioner>
   make_nodes(const unsigned int                     n_owned,
              const std::vector<const SparseRows *> &rows,
              const MPI_Comm                         communicator)
   {
-    const auto counts = Utilities::MPI::all_gather(communicator, n_owned);
-    const auto own =
-      counts.begin() + Utilities::MPI::this_mpi_process(communicator);
-    const unsigned int first = std::accumulate(counts.begin(), own, 0U),
-                       size  = std::accumulate(own, counts.end(), first);
-    IndexSet owned(size), ghosts(size);
+    const auto         firsts = first_of_ranks(n_owned, communicator);
+    const unsigned int first =
+      firsts[Utilities::MPI::this_mpi_process(communicator)];
+    IndexSet owned(firsts.back()), ghosts(firsts.back());
     owned.add_range(first, first + n_owned);
 
     std::vector<types::global_dof_index> others;

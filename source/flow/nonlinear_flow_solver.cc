@@ -58,37 +58,6 @@ namespace Catena
     /// smallest part of a Newton step that is tried
     constexpr double smallest_step = 0.1;
 
-    /// a + s (b - a)
-    template <int dim>
-    FlowFields<dim>
-    between(const FlowFields<dim> &a, const FlowFields<dim> &b, const double s)
-    {
-      FlowFields<dim> result = b;
-      if (s == 1.)
-        return result;
-      result.velocity.sadd(s, 1. - s, a.velocity);
-      result.velocity.update_ghost_values();
-      result.pressure.sadd(s, 1. - s, a.pressure);
-      result.pressure.update_ghost_values();
-      for (unsigned int i = 0; i < a.motions.size(); ++i)
-        {
-          const RigidMotion<dim> &from = a.motions[i];
-          RigidMotion<dim>       &to   = result.motions[i];
-          to.velocity = (1. - s) * from.velocity + s * to.velocity;
-          to.angular_velocity =
-            (1. - s) * from.angular_velocity + s * to.angular_velocity;
-        }
-      result.pressure_drop =
-        (1. - s) * a.pressure_drop + s * result.pressure_drop;
-      if (a.contact_forces.size() == b.contact_forces.size())
-        for (unsigned int c = 0; c < a.contact_forces.size(); ++c)
-          result.contact_forces[c] =
-            (1. - s) * a.contact_forces[c] + s * b.contact_forces[c];
-      return result;
-    }
-
-
-
     SolverError
     failure(const double                 residual,
             const double                 wanted,
@@ -126,6 +95,17 @@ namespace Catena
                                   const std::vector<double> &external_forces,
                                   const Function<dim>       *body_force)
   {
+    // however this ends
+    struct EndOfSteps
+    {
+      FlowSolver<dim> &flow_solver;
+
+      ~EndOfSteps()
+      {
+        flow_solver.solve_to(0.);
+      }
+    } const end_of_steps{flow_solver};
+
     const Problem problem{configuration, contacts, external_forces, body_force};
     NonlinearSolverReport report;
     Iterate               x;
@@ -162,7 +142,6 @@ namespace Catena
         else
           before = now;
       }
-    flow_solver.solve_to(0.);
     fields = x.fields;
     return report;
   }
@@ -260,7 +239,7 @@ namespace Catena
     for (double part = 1.; part >= smallest_step; part /= 2.)
       {
         Iterate trial;
-        trial.fields = between(x.fields, end, part);
+        trial.fields = combination(part, end, 1. - part, x.fields);
         linearise(problem, trial, Linearisation::newton);
         if (trial.residual.norm <= (1. - 0.1 * part) * x.residual.norm)
           {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace Catena
 {
@@ -84,12 +83,9 @@ namespace Catena
       aggregate(matrix, diagonal, node_masks);
 
     // numbers for all ranks
-    const auto counts =
-      Utilities::MPI::all_gather(comm, static_cast<unsigned int>(masks.size()));
     const unsigned int first =
-      std::accumulate(counts.begin(),
-                      counts.begin() + Utilities::MPI::this_mpi_process(comm),
-                      0U);
+      first_of_ranks(masks.size(),
+                     comm)[Utilities::MPI::this_mpi_process(comm)];
     for (unsigned int &a : aggregates)
       if (a != none)
         a += first;
@@ -98,7 +94,7 @@ namespace Catena
     FieldMask all = 0;
     for (const FieldMask mask : node_masks)
       all |= mask;
-    all = Utilities::MPI::max(static_cast<unsigned int>(all), comm);
+    MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_UNSIGNED_CHAR, MPI_BOR, comm);
 
     const float omega =
       4. / (3. * largest_eigenvalue(matrix, diagonal, node_masks));

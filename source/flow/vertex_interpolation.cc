@@ -2,7 +2,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <numeric>
 
 namespace Catena
 {
@@ -27,12 +26,10 @@ namespace Catena
       }
 
     // vertices are numbered rank by rank
-    const unsigned int n_vertices = vertex_masks.size();
-    const auto         counts =
-      Utilities::MPI::all_gather(mesh.communicator(), n_vertices);
-    const auto own =
-      counts.begin() + Utilities::MPI::this_mpi_process(mesh.communicator());
-    unsigned int next = std::accumulate(counts.begin(), own, 0U);
+    unsigned int next =
+      first_of_ranks(vertex_masks.size(),
+                     mesh.communicator())[Utilities::MPI::this_mpi_process(
+        mesh.communicator())];
     VectorType   numbers(mesh.owned_nodes(),
                        mesh.relevant_nodes(),
                        mesh.communicator());

@@ -1,8 +1,6 @@
 #include <catena/base/on_root.h>
 #include <catena/mesh/field_archive.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <cmath>
 #include <cstdint>
 

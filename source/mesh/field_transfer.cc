@@ -24,6 +24,11 @@ namespace Catena
     {
       if (Utilities::MPI::n_mpi_processes(communicator) == 1)
         return mine;
+      const double bytes =
+        Utilities::MPI::sum(double(mine.size()) * sizeof(T), communicator);
+      if (bytes > std::numeric_limits<int>::max())
+        throw MeshError("A mesh has too many cells to be replaced on several "
+                        "processes: take one process.");
       std::vector<T> all;
       for (const auto &part : Utilities::MPI::all_gather(communicator, mine))
         all.insert(all.end(), part.begin(), part.end());
@@ -46,17 +51,6 @@ namespace Catena
           cells.push_back(mesh.cell_positions(cell, positions));
       return gather(cells, mesh.communicator());
     }
-
-
-
-    /// Does component k of a tensor change sign when turned about z?
-    template <int dim>
-    bool
-    is_odd(const unsigned int k)
-    {
-      const auto ij = SymmetricTensor<2, dim>::unrolled_to_component_indices(k);
-      return (ij[0] < 2) != (ij[1] < 2);
-    }
   } // namespace
 
 
@@ -69,7 +63,7 @@ namespace Catena
     turned(SymmetricTensor<2, dim> tensor)
     {
       for (unsigned int k = 0; k < n_symmetric_components(dim); ++k)
-        if (is_odd<dim>(k))
+        if (changes_sign_about_z<dim>(k))
           tensor.access_raw_entry(k) *= -1.;
       return tensor;
     }
@@ -112,7 +106,7 @@ namespace Catena
   typename FieldTransfer<dim>::Place
   FieldTransfer<dim>::find(const Point<dim> &point, double &violation) const
   {
-    Place place;
+    Place place{};
     violation = std::numeric_limits<double>::max();
     for (const Image<dim> &image : images)
       {
@@ -236,7 +230,7 @@ namespace Catena
     // sized first: a vector copied when the list grows loses its ghost values
     std::vector<VectorType> result(components.size());
     for (unsigned int k = 0; k < components.size(); ++k)
-      result[k] = scalar(components[k], is_odd<dim>(k));
+      result[k] = scalar(components[k], changes_sign_about_z<dim>(k));
     return result;
   }
 

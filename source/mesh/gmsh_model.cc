@@ -1,8 +1,7 @@
 #include <catena/base/exceptions.h>
 #include <catena/mesh/gmsh_geometry.h>
 #include <catena/mesh/gmsh_model.h>
-
-#include <deal.II/base/numbers.h>
+#include <catena/mesh/gmsh_session.h>
 
 #include <gmsh.h>
 
@@ -18,62 +17,6 @@ namespace Catena
 
   namespace
   {
-    /// gmsh is started with the first model and ends with the program
-    class GmshSession
-    {
-    public:
-      static void
-      start()
-      {
-        static const GmshSession session;
-      }
-
-      ~GmshSession()
-      {
-        try
-          {
-            gmsh::finalize();
-          }
-        catch (...)
-          {}
-      }
-
-    private:
-      GmshSession()
-      {
-        gmsh::initialize(0, nullptr, false);
-      }
-    };
-
-
-
-    /// Call @p function, with what gmsh throws turned into MeshError.
-    template <typename Function>
-    void
-    call_gmsh(const std::string &purpose, const Function &function)
-    {
-      const auto fail = [&](std::string reason) {
-        std::replace(reason.begin(), reason.end(), '\n', ' ');
-        throw MeshError("gmsh could not " + purpose + ": " + reason +
-                        "; look for particles that nearly touch a plane, or "
-                        "change the resolution");
-      };
-      try
-        {
-          function();
-        }
-      catch (const std::string &message)
-        {
-          fail(message);
-        }
-      catch (const int code)
-        {
-          fail("error " + std::to_string(code));
-        }
-    }
-
-
-
     /// Removes the size callback at the end of a scope.
     struct SizeCallback
     {
@@ -102,23 +45,15 @@ namespace Catena
     void
     set_options(const MeshingOptions &options)
     {
-      const std::vector<std::pair<std::string, double>> values = {
-        {"General.Terminal", 0},
-        {"General.NumThreads", 1},
-        {"Mesh.MaxNumThreads1D", 1},
-        {"Mesh.MaxNumThreads2D", 1},
-        {"Mesh.MaxNumThreads3D", 1},
-        {"Mesh.MeshSizeExtendFromBoundary", 0},
-        {"Mesh.MeshSizeFromPoints", 0},
-        {"Mesh.MeshSizeFromCurvature", 0},
-        {"Mesh.ElementOrder", 1},
-        {"Mesh.RandomSeed", 1},
-        {"Mesh.Optimize", 1},
-        {"Mesh.OptimizeNetgen", 0},
-        {"Mesh.Algorithm", 6},
-        {"Mesh.Algorithm3D", options.algorithm}};
-      for (const auto &value : values)
-        gmsh::option::setNumber(value.first, value.second);
+      set_gmsh_options({{"Mesh.MeshSizeExtendFromBoundary", 0},
+                        {"Mesh.MeshSizeFromPoints", 0},
+                        {"Mesh.MeshSizeFromCurvature", 0},
+                        {"Mesh.ElementOrder", 1},
+                        {"Mesh.RandomSeed", 1},
+                        {"Mesh.Optimize", 1},
+                        {"Mesh.OptimizeNetgen", 0},
+                        {"Mesh.Algorithm", 6},
+                        {"Mesh.Algorithm3D", double(options.algorithm)}});
     }
 
 
@@ -155,36 +90,6 @@ namespace Catena
       return p;
     }
   } // namespace
-
-
-
-  template <int dim>
-  GmshModel<dim>::Registration::Registration()
-  {
-    static unsigned int n_models = 0;
-    name                         = "Catena" + std::to_string(n_models++);
-    call_gmsh("start", [&]() {
-      GmshSession::start();
-      gmsh::option::setNumber("General.Terminal", 0);
-      gmsh::model::add(name);
-    });
-  }
-
-
-
-  template <int dim>
-  GmshModel<dim>::Registration::~Registration()
-  {
-    try
-      {
-        gmsh::model::setCurrent(name);
-        gmsh::model::remove();
-      }
-    catch (...)
-      {
-        // nothing to remove
-      }
-  }
 
 
 
@@ -357,7 +262,7 @@ namespace Catena
   {
     MeshDescription<dim> mesh;
     call_gmsh("make the mesh", [&]() {
-      gmsh::model::setCurrent(registration.name);
+      model.make_current();
       gmsh::model::mesh::clear();
       set_options(options);
       const SizeCallback callback(size);
@@ -423,10 +328,7 @@ namespace Catena
                                     "cells; change the resolution");
                   face.vertices[k] = found->second;
                 }
-              if constexpr (dim == 3)
-                mesh.boundary.boundary_quads.push_back(face);
-              else
-                mesh.boundary.boundary_lines.push_back(face);
+              boundary_faces(mesh).push_back(face);
             }
         }
     return mesh;

@@ -8,7 +8,6 @@
 #include <deal.II/fe/mapping_fe.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/solver_cg.h>
 
 #include <cmath>

@@ -247,10 +247,7 @@ namespace Catena
             data.boundary_id = face->boundary_id();
             for (unsigned int v = 0; v < dim; ++v)
               data.vertices[v] = face->vertex_index(v);
-            if constexpr (dim == 3)
-              result.boundary.boundary_quads.push_back(data);
-            else
-              result.boundary.boundary_lines.push_back(data);
+            boundary_faces(result).push_back(data);
           }
       }
     return result;

@@ -2,8 +2,6 @@
 #include <catena/mesh/quadratic_shape.h>
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <limits>
 
 namespace Catena

@@ -129,17 +129,30 @@ namespace Catena
               const std::string        &path,
               const MPI_Comm            communicator)
     {
-      int error = 0;
-      if (Utilities::MPI::n_mpi_processes(communicator) == 1)
-        error = WholeFile::write(path, [&](std::ostream &file) {
-          data_out.write_vtu(file);
-        });
-      else
+      const bool alone = Utilities::MPI::n_mpi_processes(communicator) == 1;
+      int        error = 0;
+      try
         {
-          data_out.write_vtu_in_parallel(WholeFile::draft(path), communicator);
-          if (Utilities::MPI::this_mpi_process(communicator) == 0)
-            error = WholeFile::publish(path);
+          if (alone)
+            error = WholeFile::write(path, [&](std::ostream &file) {
+              data_out.write_vtu(file);
+            });
+          else
+            data_out.write_vtu_in_parallel(WholeFile::draft(path),
+                                           communicator);
         }
+      catch (const ExcIO &)
+        {
+          error = EIO;
+        }
+      catch (const ExcMPI &)
+        {
+          error = EIO;
+        }
+      error = Utilities::MPI::max(error, communicator);
+      if (!alone && error == 0 &&
+          Utilities::MPI::this_mpi_process(communicator) == 0)
+        error = WholeFile::publish(path);
       return Utilities::MPI::broadcast(communicator, error) == 0;
     }
 
@@ -227,16 +240,7 @@ namespace Catena
                              Utilities::int_to_string(files.size() + 1, 4) +
                              ".vtu";
     const std::string path = directory + "/" + name;
-    bool              good = false;
-    try
-      {
-        good = write_vtu(data_out, path, communicator);
-      }
-    catch (const ExcIO &)
-      {}
-    catch (const ExcMPI &)
-      {}
-    if (!good)
+    if (!write_vtu(data_out, path, communicator))
       throw Error("File '" + path + "' cannot be written: is the disk full?");
 
     files.emplace_back(strain, name);
@@ -253,6 +257,12 @@ namespace Catena
     files = records;
     if (!files.empty())
       write_record();
+    else if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        // one that is not there is as good as removed
+        std::error_code error;
+        std::filesystem::remove(record(), error);
+      }
   }
 
 
@@ -267,10 +277,19 @@ namespace Catena
 
 
   template <int dim>
+  std::string
+  FieldOutput<dim>::record() const
+  {
+    return directory + "/" + basename + ".pvd";
+  }
+
+
+
+  template <int dim>
   void
   FieldOutput<dim>::write_record() const
   {
-    const std::string path = directory + "/" + basename + ".pvd";
+    const std::string path = record();
 
     int error = 0;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)

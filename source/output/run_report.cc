@@ -1,4 +1,3 @@
-#include <catena/base/exceptions.h>
 #include <catena/base/wall_clock.h>
 #include <catena/base/whole_file.h>
 #include <catena/output/progress.h>

@@ -6,18 +6,38 @@ namespace Catena
 {
   using namespace dealii;
 
+  namespace
+  {
+    std::string
+    name(const FluidParameters::Model model)
+    {
+      switch (model)
+        {
+          case FluidParameters::Model::newtonian:
+            return "newtonian";
+          case FluidParameters::Model::carreau:
+            return "carreau";
+          default:
+            return "giesekus";
+        }
+    }
+  } // namespace
+
+
+
   void
   FluidParameters::declare(ParameterHandler &prm)
   {
     prm.declare_entry("Model",
-                      "giesekus",
+                      name(model),
                       Patterns::Selection("newtonian|carreau|giesekus"),
                       "newtonian, carreau, or giesekus (Oldroyd-B with a "
                       "mobility of 0).");
-    prm.add_action("Model", [this](const std::string &name) {
-      model = (name == "newtonian" ? Model::newtonian :
-               name == "carreau"   ? Model::carreau :
-                                     Model::giesekus);
+    prm.add_action("Model", [this](const std::string &chosen) {
+      for (const Model known :
+           {Model::newtonian, Model::carreau, Model::giesekus})
+        if (name(known) == chosen)
+          model = known;
     });
     giesekus.declare(prm);
     carreau.declare(prm);

@@ -25,11 +25,24 @@ namespace Catena
 
 
 
-    /// Refuse what could be tried for hours.
+    /// Refuse what could be tried for hours, and what has no place at all.
     template <int dim>
     void
-    check_room(const Scene<dim> &scene, const std::vector<double> &radii)
+    check_room(const Scene<dim>          &scene,
+               const std::vector<double> &radii,
+               const double               smallest_gap)
     {
+      const double widest =
+        radii.empty() ? 0. : *std::max_element(radii.begin(), radii.end());
+      for (unsigned int d = 1; d < dim; ++d)
+        if (d == 1 || !scene.mirrored())
+          require(scene.upper()[d] - scene.lower()[d] >=
+                    2. * (widest + smallest_gap),
+                  d == 1 ? "Scene/Height" : "Scene/Width",
+                  scene.upper()[d] - scene.lower()[d],
+                  "a particle and its distance from the walls have no room: "
+                  "choose a larger box");
+
       double room = 1.;
       for (unsigned int d = 0; d < dim; ++d)
         room *= scene.upper()[d] - scene.lower()[d];
@@ -68,7 +81,7 @@ namespace Catena
     std::mt19937_64    generator(seed);
     const Point<dim>   low = scene.lower(), high = scene.upper();
     const unsigned int first = scene.particles.size();
-    check_room(scene, radii);
+    check_room(scene, radii, smallest_gap);
 
     std::vector<unsigned int> order(radii.size()), places(radii.size());
     std::iota(order.begin(), order.end(), 0);

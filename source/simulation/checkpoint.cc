@@ -146,7 +146,8 @@ namespace Catena
     for (const std::uint64_t n : {0, 1})
       try
         {
-          if (!std::filesystem::exists(slot(n)))
+          std::error_code unreadable;
+          if (!std::filesystem::exists(slot(n), unreadable))
             continue;
           std::string           bytes = CheckedFile::read(slot(n), version);
           std::uint64_t         found;

@@ -43,25 +43,11 @@ namespace Catena
   FlowFields<dim>
   extrapolated_flow(const State<dim> &state, const TimeStep &step)
   {
-    const TwoLevelWeights  weights = step.extrapolation();
-    const FlowFields<dim> &now = state.now.flow, &before = state.before.flow;
-
-    FlowFields<dim> result = now;
-    result.pressure_drop =
-      weights.b0 * now.pressure_drop + weights.b1 * before.pressure_drop;
-    result.velocity = combine(weights, now.velocity, before.velocity);
-    result.pressure = combine(weights, now.pressure, before.pressure);
-    if (weights.b1 != 0.)
-      for (unsigned int i = 0; i < result.motions.size(); ++i)
-        {
-          RigidMotion<dim>       &motion = result.motions[i];
-          const RigidMotion<dim> &old    = before.motions[i];
-          motion.velocity =
-            weights.b0 * motion.velocity + weights.b1 * old.velocity;
-          motion.angular_velocity = weights.b0 * motion.angular_velocity +
-                                    weights.b1 * old.angular_velocity;
-        }
-    return result;
+    const TwoLevelWeights weights = step.extrapolation();
+    return combination(weights.b0,
+                       state.now.flow,
+                       weights.b1,
+                       state.before.flow);
   }
 
 

@@ -101,7 +101,7 @@ namespace Catena
     require(minimal_gap >= 1e-6 && minimal_gap < 1.,
             "Particles/Minimal gap",
             minimal_gap,
-            "choose a value between 0.001 and 1, 0.02 is usual");
+            "choose a value from 1e-6 to below 1, 0.02 is usual");
     step_control.check();
     require(final_strain >= 0. && final_strain <= 1e6,
             "Time/Final strain",

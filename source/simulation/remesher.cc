@@ -34,7 +34,7 @@ namespace Catena
           {
             description = generate_mesh<dim>(scene, parameters);
           }
-        catch (const MeshError &error)
+        catch (const std::exception &error)
           {
             failure = error.what();
           }
@@ -150,6 +150,20 @@ namespace Catena
 
 
 
+  namespace
+  {
+    template <int dim>
+    Scene<dim>
+    with_particles(Scene<dim> scene, const Configuration<dim> &configuration)
+    {
+      for (unsigned int i = 0; i < scene.particles.size(); ++i)
+        scene.particles[i].centre = configuration.centres[i];
+      return scene;
+    }
+  } // namespace
+
+
+
   template <int dim>
   Remesher<dim>::Remesher(const Scene<dim>           &scene,
                           const SimulationParameters &parameters,
@@ -163,12 +177,10 @@ namespace Catena
 
   template <int dim>
   Scene<dim>
-  Remesher<dim>::scene_at(const Configuration<dim> &configuration) const
+  Remesher<dim>::layout_for(const Configuration<dim> &configuration) const
   {
-    Scene<dim> layout = scene;
-    for (unsigned int i = 0; i < layout.particles.size(); ++i)
-      layout.particles[i].centre = configuration.centres[i];
-    const std::vector<Scene<dim>> options = possible_layouts(layout);
+    const std::vector<Scene<dim>> options =
+      possible_layouts(with_particles(scene, rounded(configuration)));
     return *std::max_element(options.begin(),
                              options.end(),
                              [](const auto &a, const auto &b) {
@@ -210,27 +222,42 @@ namespace Catena
   Discretization<dim>
   Remesher<dim>::make(const Configuration<dim> &configuration) const
   {
+    return make(layout_for(configuration), configuration);
+  }
+
+
+
+  /**
+   * In the block of @p layout.
+   */
+  template <int dim>
+  Discretization<dim>
+  Remesher<dim>::make(const Scene<dim>         &layout,
+                      const Configuration<dim> &configuration) const
+  {
     const auto made_at = [&](const Configuration<dim> &reference) {
-      const Scene<dim>           layout = scene_at(reference);
+      const Scene<dim>           meshed = with_particles(layout, reference);
       const MeshDescription<dim> description =
-        mesh_on_all_ranks<dim>(layout, parameters.mesh, communicator);
+        mesh_on_all_ranks<dim>(meshed, parameters.mesh, communicator);
 
       Discretization<dim> result;
       result.attempts = description.attempts;
       result.mesh =
-        std::make_unique<MovingMesh<dim>>(communicator, layout, description);
+        std::make_unique<MovingMesh<dim>>(communicator, meshed, description);
       result.mover = std::make_unique<MeshMover<dim>>(*result.mesh, reference);
       result.mesh->set_positions(result.mover->positions(configuration));
       result.initial_quality = result.mesh->quality();
       return result;
     };
 
-    Discretization<dim> result = made_at(rounded(widened(configuration)));
+    const Configuration<dim> wide     = rounded(widened(configuration)),
+                             as_it_is = rounded(configuration);
+    Discretization<dim> result        = made_at(wide);
     // large curved cells may not bear to be pressed
-    if (!(result.initial_quality > 0.))
+    if (!(result.initial_quality > 0.) && wide.centres != as_it_is.centres)
       {
         const unsigned int failed = result.attempts;
-        result                    = made_at(rounded(configuration));
+        result                    = made_at(as_it_is);
         result.attempts += failed;
       }
     if (!(result.initial_quality > 0.))
@@ -346,8 +373,9 @@ namespace Catena
       for (VectorType &component : level->log_conformation)
         component.update_ghost_values();
 
-    choose_images(scene_at(fresh_next), fresh, fresh_next);
-    fresh.discretization                   = make(fresh_next);
+    const Scene<dim> layout = layout_for(fresh_next);
+    choose_images(layout, fresh, fresh_next);
+    fresh.discretization                   = make(layout, fresh_next);
     MovingMesh<dim>       &mesh            = *fresh.discretization.mesh;
     const MovingMesh<dim> &old_mesh        = *state.discretization.mesh;
     const VectorType       final_positions = mesh.positions();

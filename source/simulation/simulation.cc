@@ -2,8 +2,6 @@
 #include <catena/base/release_memory.h>
 #include <catena/base/replace_field.h>
 #include <catena/base/wall_clock.h>
-#include <catena/flow/velocity_constraints.h>
-#include <catena/mesh/cell_fields.h>
 #include <catena/simulation/extrapolation.h>
 #include <catena/simulation/simulation.h>
 #include <catena/simulation/step_error.h>
@@ -94,19 +92,7 @@ namespace Catena
     count_attempts();
     now.positions = mesh().positions();
 
-    // the first guess is the imposed flow
-    now.flow.velocity = mesh().vector_field();
-    for (const auto node : mesh().owned_nodes())
-      {
-        const Tensor<1, dim> imposed =
-          now.configuration.shear_rate *
-          scene.imposed_velocity(node_position<dim>(now.positions, node));
-        for (unsigned int d = 0; d < dim; ++d)
-          now.flow.velocity(dim * node + d) = imposed[d];
-      }
-    now.flow.velocity.update_ghost_values();
-    now.flow.pressure = mesh().scalar_field();
-    now.flow.motions  = reference_motions<dim>(scene, now.configuration, held);
+    now.flow = imposed_flow(mesh(), now.configuration, held);
     now.flow.reactions.assign(bodies.n_unknowns(), 0.);
 
     if (parameters.viscoelastic())
@@ -220,7 +206,10 @@ namespace Catena
     try
       {
         take_step(step, next, report);
-        return step_control.accept(step.dt, report.error);
+        if (!step_control.accept(step.dt, report.error))
+          return false;
+        tell_jump(next, report);
+        return true;
       }
     catch (const SolverError &error)
       {
@@ -231,6 +220,24 @@ namespace Catena
         shorten_step(step, "there was no mesh", error, report);
       }
     return false;
+  }
+
+
+
+  /**
+   * If the stress has jumped where a new mesh does not resolve it.
+   */
+  template <int dim>
+  void
+  Simulation<dim>::tell_jump(const Level<dim> &next, StepReport &report) const
+  {
+    if (!(report.error.largest_change > StepError::failing_change))
+      return;
+    std::ostringstream text;
+    text << "At strain " << next.time << " the log-conformation jumps by "
+         << report.error.largest_change
+         << " where the new mesh does not resolve it.";
+    report.troubles.push_back(text.str());
   }
 
 
@@ -261,8 +268,9 @@ namespace Catena
           solve_conformation(next, step, velocity_of_mesh);
         inject(StepPart::conformation, next);
       }
-    report.dt    = step.dt;
-    report.error = step_error<dim>(state, next, predicted, step, held);
+    report.dt = step.dt;
+    report.error =
+      step_error<dim>(state, next, predicted, step, held, report.remeshed);
     if (conformation_solver)
       report.extremes =
         conformation_extremes<dim>(mesh(), next.log_conformation);
@@ -342,7 +350,6 @@ namespace Catena
         motion.velocity *= -1.;
         motion.angular_velocity *= -1.;
       }
-    now.flow.contact_forces.clear();
 
     TimeStep step;
     step.dt = step_control.next_step();

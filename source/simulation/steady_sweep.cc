@@ -273,9 +273,11 @@ namespace Catena
     void
     remove_runs(const std::string &directory, const MPI_Comm communicator)
     {
+      std::error_code error;
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        for (const auto &entry : std::filesystem::directory_iterator(directory))
-          if (entry.is_directory() &&
+        for (const auto &entry :
+             std::filesystem::directory_iterator(directory, error))
+          if (entry.is_directory(error) &&
               entry.path().filename().string().find(folder_name) == 0)
             remove_results(entry.path().string(), communicator);
     }

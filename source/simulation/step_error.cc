@@ -112,7 +112,8 @@ namespace Catena
              const Level<dim>              &next,
              const std::vector<VectorType> &predicted,
              const TimeStep                &step,
-             const bool                     held)
+             const bool                     held,
+             const bool                     on_a_new_mesh)
   {
     const double       positions = held || contacts_changed(state, next) ?
                                      0. :
@@ -126,7 +127,9 @@ namespace Catena
         !std::isfinite(next.flow.pressure.l2_norm()))
       throw SolverError("The flow has values that are not finite: use a "
                         "smaller 'Time/Time step' or a finer mesh.");
-    if (!(change.largest <= StepError::failing_change) ||
+    if (!(change.largest <= (on_a_new_mesh ?
+                               StepError::failing_change_on_a_new_mesh :
+                               StepError::failing_change)) ||
         !std::isfinite(change.mean))
       {
         std::ostringstream text;
@@ -148,11 +151,13 @@ namespace Catena
                 const Level<2> &,
                 const std::vector<VectorType> &,
                 const TimeStep &,
+                const bool,
                 const bool);
   template StepError
   step_error<3>(const State<3> &,
                 const Level<3> &,
                 const std::vector<VectorType> &,
                 const TimeStep &,
+                const bool,
                 const bool);
 } // namespace Catena

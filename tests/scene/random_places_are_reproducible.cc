@@ -108,5 +108,12 @@ main(int argc, char **argv)
     const std::string message  = Tests::refusal([&]() { parameters.check(); });
     claims.holds("too many are refused by name",
                  message.find("'Scene/Number' = 2000") != std::string::npos);
+
+    parameters.number     = 2;
+    parameters.box.height = 2.2;
+    claims.holds("so is a box without room for the distance from the walls",
+                 Tests::refusal([&]() {
+                   parameters.check();
+                 }).find("'Scene/Height' = 2.2") != std::string::npos);
   });
 }

@@ -87,7 +87,7 @@ namespace Catena
    * stream.
    *
    * @return The exit code: 0 if all went well, 2 if the command line, the
-   *   parameter file or a parameter was refused, 1 if the run failed, 128
+   *   parameter file, a parameter or a checkpoint was refused, 1 if the run failed, 128
    *   and the number of the signal if one has ended it.
    */
   int

@@ -12,8 +12,9 @@ namespace Catena
    * stops at any instant: they are written under another name, brought to the
    * disk and then renamed. What was there before stays until then.
    *
-   * These functions return 0, or the number of the error as errno has it;
-   * then nothing is left of the new file.
+   * These functions return 0, or the number of the error as errno has it. Then
+   * nothing is left of the new file; or, where the disk fails when the new name
+   * is brought to it, the file is the new one, which may not last.
    */
   namespace WholeFile
   {

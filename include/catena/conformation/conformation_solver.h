@@ -29,6 +29,7 @@ namespace Catena
     double       tolerance      = 1e-8;
     unsigned int max_iterations = 200;
 
+    /// Declare the entries in the current subsection.
     void
     declare(dealii::ParameterHandler &parameters);
 

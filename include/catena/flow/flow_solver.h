@@ -26,6 +26,7 @@ namespace Catena
     double       tolerance      = 1e-6;
     unsigned int max_iterations = 300;
 
+    /// Declare the entries in the current subsection.
     void
     declare(dealii::ParameterHandler &parameters);
 
@@ -58,10 +59,9 @@ namespace Catena
    *   force and torque of the fluid + F_external + F_r = 0,
    *
    * and, in a pressure-driven scene, with the flow rate,
-   * for the disturbance of the imposed shear flow, by GMRES with
-   * FlowPreconditioner, from a first guess improved by EarlierSolutions. GMRES
-   * works in single precision, on a correction of the residual in double
-   * precision, and again where that asks for it. The preconditioner is kept
+   * for the disturbance of the imposed shear flow, by RefinedGmres with
+   * FlowPreconditioner, from a first guess improved by EarlierSolutions. The
+   * preconditioner is kept
    * until the iterations lost since it was made, against its best solve by
    * decades of the residual, would have paid for a new one.
    */
@@ -69,10 +69,6 @@ namespace Catena
   class FlowSolver
   {
   public:
-    /// Iterations after which the residual is found anew, in double precision:
-    /// a longer basis saves few, and takes a vector and more products for each.
-    static constexpr unsigned int basis_size = 20;
-
     explicit FlowSolver(const FlowSolverParameters &parameters);
 
     /// What it solves refers to its constraints.
@@ -89,7 +85,8 @@ namespace Catena
 
     /**
      * Assemble at the mesh's current positions, and make a new preconditioner
-     * if it is due.
+     * if it is due. Stress and force are kept by reference as long as solves
+     * follow: one that stalls assembles again.
      * @throws SolverError if the stress is not finite
      */
     void

@@ -314,6 +314,11 @@ namespace Catena
 
 
 
+  /// The first number of each rank if they number @p n_owned things each, one
+  /// rank after the other, and the number of all. Collective.
+  std::vector<unsigned int>
+  first_of_ranks(const unsigned int n_owned, const MPI_Comm communicator);
+
   /**
    * The nodes of a level: @p n_owned ones of each rank, numbered one rank after
    * the other, and those of other ranks among the columns of @p rows.

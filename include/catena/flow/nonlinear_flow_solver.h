@@ -129,7 +129,7 @@ namespace Catena
 
     VectorType                          linearisation_point;
     std::unique_ptr<CarreauStress<dim>> stress;
-    Linearisation                       form;
+    Linearisation                       form  = Linearisation::picard;
     double                              scale = 0.;
     LinearisationPoint                  point_of_preconditioner;
     bool                                new_preconditioner = false;

@@ -1,10 +1,9 @@
 #ifndef catena_mesh_boundary_snapper_h
 #define catena_mesh_boundary_snapper_h
 
-#include <catena/mesh/mesher.h>
+#include <catena/mesh/mesh_description.h>
 #include <catena/scene/scene.h>
 
-#include <algorithm>
 #include <array>
 #include <map>
 #include <set>
@@ -12,32 +11,6 @@
 
 namespace Catena
 {
-  /// The faces of a mesh that have a boundary id.
-  template <typename Mesh>
-  auto &
-  boundary_faces(Mesh &mesh)
-  {
-    if constexpr (Mesh::dimension == 3)
-      return mesh.boundary.boundary_quads;
-    else
-      return mesh.boundary.boundary_lines;
-  }
-
-
-
-  /// The vertices of a face in ascending order, to find it by.
-  template <int dim>
-  std::array<unsigned int, dim>
-  sorted_vertices(const std::vector<unsigned int> &vertices)
-  {
-    std::array<unsigned int, dim> sorted;
-    std::copy(vertices.begin(), vertices.end(), sorted.begin());
-    std::sort(sorted.begin(), sorted.end());
-    return sorted;
-  }
-
-
-
   /**
    * Puts the nodes on the boundary exactly where they belong: on planes, on
    * spheres, and on the images of the nodes they are identified with.
@@ -48,11 +21,9 @@ namespace Catena
   public:
     BoundarySnapper(const Scene<dim> &scene, MeshDescription<dim> &mesh);
 
+    /// Put the nodes on planes there, again after they were matched.
     void
     snap_to_planes();
-
-    void
-    snap_to_particles();
 
     /// @throws MeshError if nodes or faces do not match.
     void
@@ -60,6 +31,9 @@ namespace Catena
 
   private:
     using Face = std::array<unsigned int, dim>;
+
+    void
+    snap_to_particles();
 
     /// Move of the image of a face along x by which it is in the block.
     double

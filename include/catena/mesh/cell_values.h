@@ -61,6 +61,9 @@ namespace Catena
 
     CellValues();
 
+    /// It refers to rules of its own.
+    CellValues(const CellValues &) = delete;
+
     explicit CellValues(const dealii::Quadrature<dim> &quadrature);
 
     /**

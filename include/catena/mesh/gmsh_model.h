@@ -1,12 +1,12 @@
 #ifndef catena_mesh_gmsh_model_h
 #define catena_mesh_gmsh_model_h
 
-#include <catena/mesh/mesher.h>
+#include <catena/mesh/gmsh_session.h>
+#include <catena/mesh/mesh_description.h>
 #include <catena/mesh/size_field.h>
 #include <catena/scene/scene.h>
 
 #include <map>
-#include <string>
 #include <vector>
 
 namespace Catena
@@ -51,20 +51,6 @@ namespace Catena
     generate(const SizeField<dim> &size, const MeshingOptions &options);
 
   private:
-    /// A model of gmsh, there as long as this object.
-    struct Registration
-    {
-      Registration();
-      ~Registration();
-
-      Registration(const Registration &) = delete;
-
-      Registration &
-      operator=(const Registration &) = delete;
-
-      std::string name;
-    };
-
     /// Tags of the surfaces (curves for dim = 2) with a boundary id.
     using Surfaces = std::map<dealii::types::boundary_id, std::vector<int>>;
 
@@ -86,10 +72,10 @@ namespace Catena
     MeshDescription<dim>
     extract() const;
 
-    const Scene<dim>   scene;
-    const Registration registration;
-    int                volume = 0;
-    Surfaces           surfaces;
+    const Scene<dim>     scene;
+    const OwnedGmshModel model;
+    int                  volume = 0;
+    Surfaces             surfaces;
   };
 } // namespace Catena
 

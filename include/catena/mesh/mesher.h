@@ -1,15 +1,12 @@
 #ifndef catena_mesh_mesher_h
 #define catena_mesh_mesher_h
 
-#include <catena/base/archive.h>
+#include <catena/mesh/mesh_description.h>
 #include <catena/scene/scene.h>
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <deal.II/grid/tria_description.h>
-
 #include <functional>
-#include <vector>
 
 namespace Catena
 {
@@ -45,31 +42,6 @@ namespace Catena
     /// Wider gaps are resolved by the elements of the surfaces [a].
     double
     widest_refined_gap() const;
-  };
-
-  /**
-   * A straight-sided mesh as lists of vertices and cells, with the boundary
-   * ids of BoundaryIds.
-   */
-  template <int dim>
-  struct MeshDescription
-  {
-    static constexpr unsigned int dimension = dim;
-
-    std::vector<dealii::Point<dim>>    vertices;
-    std::vector<dealii::CellData<dim>> cells;
-    dealii::SubCellData                boundary;
-
-    /// smallest radius ratio of all cells, -1 if the curved faces of the
-    /// particles invert one
-    double quality = 0.;
-    /// how many meshes were made until one was accepted
-    unsigned int attempts = 0;
-
-    /// Save or load vertices, cells and boundary.
-    /// @throws CheckpointError if what is loaded is no mesh
-    void
-    archive(Archive &archive);
   };
 
   /**

@@ -2,7 +2,7 @@
 #define catena_mesh_moving_mesh_h
 
 #include <catena/base/types.h>
-#include <catena/mesh/mesher.h>
+#include <catena/mesh/mesh_description.h>
 #include <catena/mesh/node_identification.h>
 #include <catena/scene/scene.h>
 
@@ -63,6 +63,8 @@ namespace Catena
     /**
      * @param scene the scene as it is meshed, the reference of all motion
      * @param description its mesh, the same on every rank
+     * @throws MeshError if faces are on surfaces that the scene does not have,
+     * or nodes on identified planes have no counterpart
      */
     MovingMesh(const MPI_Comm              communicator,
                const Scene<dim>           &scene,
@@ -114,13 +116,14 @@ namespace Catena
       return scalars;
     }
 
-    /// P2 nodes owned by this rank, and all its cells refer to.
+    /// P2 nodes owned by this rank.
     const dealii::IndexSet &
     owned_nodes() const
     {
       return nodes_owned;
     }
 
+    /// P2 nodes that its cells refer to, and those they are identified with.
     const dealii::IndexSet &
     relevant_nodes() const
     {
@@ -282,6 +285,7 @@ namespace Catena
       return current;
     }
 
+    /// Move the nodes to @p positions, and the mapping with them.
     void
     set_positions(const VectorType &positions);
 

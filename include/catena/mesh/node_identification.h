@@ -10,6 +10,19 @@
 
 namespace Catena
 {
+  /// Does component @p k of a symmetric tensor (deal.II's order) change its
+  /// sign when the tensor is turned by 180 degrees about z?
+  template <int dim>
+  bool
+  changes_sign_about_z(const unsigned int k)
+  {
+    const auto ij =
+      dealii::SymmetricTensor<2, dim>::unrolled_to_component_indices(k);
+    return (ij[0] < 2) != (ij[1] < 2);
+  }
+
+
+
   /**
    * Which nodes of a mesh are images of each other under the rotation and the
    * period of a scene.
@@ -69,9 +82,7 @@ namespace Catena
     double
     tensor_factor(const unsigned int node, const unsigned int k) const
     {
-      const auto ij =
-        dealii::SymmetricTensor<2, dim>::unrolled_to_component_indices(k);
-      return (ij[0] < 2) == (ij[1] < 2) ? 1. : vector_factor(node, 0);
+      return changes_sign_about_z<dim>(k) ? vector_factor(node, 0) : 1.;
     }
 
   private:

@@ -98,6 +98,10 @@ namespace Catena
     const MPI_Comm                              communicator;
     std::vector<std::pair<double, std::string>> files;
 
+    /// The PVD file.
+    std::string
+    record() const;
+
     /**
      * Bring the PVD file up to date.
      */

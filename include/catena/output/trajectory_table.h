@@ -71,6 +71,8 @@ namespace Catena
      * Add a column at the right. All columns are declared before the first
      * row is written; a name may be used once and cannot contain a comma or a
      * line break. Quantities without dimension have no @p unit.
+     *
+     * @throws dealii::ExcMessage if the name or the moment is not like that.
      */
     void
     declare(const std::string &name, const std::string &unit = "");

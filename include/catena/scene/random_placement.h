@@ -16,7 +16,8 @@ namespace Catena
    *
    * The same @p seed gives the same places on every machine.
    *
-   * @throws InputError if a particle has found no place in 100,000 trials
+   * @throws InputError if the box is too small for the largest particle or for
+   * the volume of all, or a particle has found no place in 100,000 trials
    */
   template <int dim>
   void

@@ -237,7 +237,7 @@ namespace Catena
 
     /**
      * Smallest distance between the surfaces of particle @p i and particle
-     * @p j, or for i == j between i and its image under the rotation.
+     * @p j or any image of it, for i == j between i and its own images.
      */
     double
     gap(const unsigned int i, const unsigned int j) const;

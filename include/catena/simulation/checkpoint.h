@@ -23,6 +23,7 @@ namespace Catena
     /// wall time between two checkpoints [min]
     double wall_time_interval = 10.;
 
+    /// Declare the entries in the current subsection.
     void
     declare(dealii::ParameterHandler &prm);
 

@@ -57,6 +57,7 @@ namespace Catena
       return fluid.model == FluidParameters::Model::giesekus;
     }
 
+    /// Declare all entries, in their subsections.
     void
     declare(dealii::ParameterHandler &prm);
 

@@ -34,7 +34,8 @@ namespace Catena
      * one, as can happen if elements are as large as gaps, the mesh is made for
      * the particles where they are.
      *
-     * @throws MeshError if the mesher fails or that mesh is inverted too
+     * @throws MeshError if the mesher fails or that mesh is inverted too,
+     * SolverError if the mesh cannot be moved
      */
     Discretization<dim>
     make(const Configuration<dim> &configuration) const;
@@ -66,10 +67,14 @@ namespace Catena
     Configuration<dim>
     widened(const Configuration<dim> &configuration) const;
 
-    /// The scene with particles at @p configuration and the planes that bound
-    /// the meshed block where they suit them best.
+    /// The scene with the planes that bound the meshed block where they suit
+    /// particles at @p configuration best.
     Scene<dim>
-    scene_at(const Configuration<dim> &configuration) const;
+    layout_for(const Configuration<dim> &configuration) const;
+
+    Discretization<dim>
+    make(const Scene<dim>         &layout,
+         const Configuration<dim> &configuration) const;
 
     /// Represent each particle by its image in the block of @p layout.
     void
@@ -87,7 +92,7 @@ namespace Catena
 
   /**
    * Number of elements across the gap between two surface points: its width
-   * over the extent along it of the cells it passes through.
+   * over the extent along it of the cells it passes through. Collective.
    */
   template <int dim>
   double

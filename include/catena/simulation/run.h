@@ -72,6 +72,7 @@ namespace Catena
    * tests
    *
    * @throws InputError if the run cannot begin like this
+   * @throws CheckpointError if there is none to resume from, or it is damaged
    * @throws Interrupted after SIGTERM or SIGINT and a checkpoint
    * @throws Error if the run cannot go on; all rows so far are in the table
    */

@@ -13,8 +13,9 @@ namespace Catena
   /**
    * Which run it is: the names and values of all parameters of a simulation
    * and of its scene. A run that goes on from a checkpoint has to be the same,
-   * but for what has no influence on the past: the final strain, tolerances
-   * and limits of solvers and steps, the output and the checkpoints.
+   * but for what has no influence on the past: the final strain, tolerances,
+   * limits of solvers and of the time for a mesh, the output and the
+   * checkpoints.
    */
   class RunIdentity
   {

@@ -61,7 +61,7 @@ namespace Catena
    * @code
    * Simulation<3> simulation(scene, parameters, MPI_COMM_WORLD);
    * simulation.initialize();
-   * while (simulation.strain() < parameters.final_strain)
+   * while (simulation.strain() < parameters.final_strain - 1e-9)
    *   simulation.advance();
    * @endcode
    */
@@ -78,6 +78,7 @@ namespace Catena
 
     /**
      * Make the first mesh and the state at the start.
+     * @throws MeshError or SolverError
      */
     void
     initialize();
@@ -223,6 +224,9 @@ namespace Catena
 
     void
     take_step(const TimeStep &step, Level<dim> &next, StepReport &report);
+
+    void
+    tell_jump(const Level<dim> &next, StepReport &report) const;
 
     void
     shorten_step(const TimeStep    &step,

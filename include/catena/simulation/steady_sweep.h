@@ -122,6 +122,8 @@ namespace Catena
    * for each rate, and in `rate_RATE` what run_simulation() writes. Particles
    * must not move from their places. A sweep that is resumed goes on with the
    * run that was not finished.
+   *
+   * @throws what run_simulation() throws
    */
   template <int dim>
   void

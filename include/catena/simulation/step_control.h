@@ -19,6 +19,7 @@ namespace Catena
     /// of controlled steps
     double largest_step = 0.64;
 
+    /// Declare the entries in the current subsection.
     void
     declare(dealii::ParameterHandler &parameters);
 
@@ -37,6 +38,11 @@ namespace Catena
     /// A log-conformation off its extrapolation by more is not followed: the
     /// stress is predicted with that extrapolation, and the step fails.
     static constexpr double failing_change = 1.;
+
+    /// The same in the step onto a new mesh. Steep stresses that elements do not
+    /// resolve are not in balance on another mesh: there they jump, however
+    /// short the step is.
+    static constexpr double failing_change_on_a_new_mesh = 5.;
 
     /// of the positions of surfaces [a] and of the log-conformation in the mean
     double local = 0.;

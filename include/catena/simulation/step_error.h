@@ -18,6 +18,7 @@ namespace Catena
    *
    * @param predicted the extrapolated log-conformation
    * @param held the particles are held in place
+   * @param on_a_new_mesh the mesh is not that of the step before
    *
    * @throws SolverError if the conformation changes too fast to be followed, or
    * a value is not finite
@@ -28,7 +29,8 @@ namespace Catena
              const Level<dim>              &next,
              const std::vector<VectorType> &predicted,
              const TimeStep                &step,
-             const bool                     held);
+             const bool                     held,
+             const bool                     on_a_new_mesh);
 } // namespace Catena
 
 #endif

@@ -10,7 +10,14 @@ namespace Catena
 {
   /**
    * The trajectory of a simulation as a table, one row an instant. Particles
-   * are numbered as in the scene.
+   * are numbered as in the scene. The head of each column has its unit: strain
+   * and time step in 1/gamma, theta in degrees, gaps in 2a, places in a,
+   * velocities in a gamma and gamma, forces in F_S = 6 pi eta0 gamma a^2, the
+   * largest trace of tau in G. examples/three_particles/README.md describes
+   * the columns.
+   *
+   * Constructors, record() and sync() are collective and throw Error if the
+   * table cannot be written.
    */
   template <int dim>
   class Trajectory
