@@ -30,8 +30,8 @@ namespace Catena
 
 
   template <int dim>
-  std::vector<double>
-  cell_qualities(const Scene<dim> &scene, const MeshDescription<dim> &mesh)
+  double
+  smallest_quality(const Scene<dim> &scene, const MeshDescription<dim> &mesh)
   {
     using Edge = std::array<unsigned int, 2>;
     std::map<Edge, Point<dim>> curved;
@@ -45,7 +45,7 @@ namespace Catena
                 surfaces[face.boundary_id - BoundaryIds::particle].nearest(
                   (mesh.vertices[a] + mesh.vertices[b]) / 2.);
 
-    std::vector<double> qualities;
+    double smallest = mesh.cells.empty() ? -1. : 1.;
     for (const auto &cell : mesh.cells)
       {
         const auto vertices = cell_vertices(mesh, cell);
@@ -61,21 +61,9 @@ namespace Catena
                                  found->second :
                                  (nodes[ends[0]] + nodes[ends[1]]) / 2.;
           }
-        qualities.push_back(quadratic_simplex_quality<dim>(nodes));
+        smallest = std::min(smallest, quadratic_simplex_quality<dim>(nodes));
       }
-    return qualities;
-  }
-
-
-
-  template <int dim>
-  double
-  smallest_quality(const Scene<dim> &scene, const MeshDescription<dim> &mesh)
-  {
-    const std::vector<double> qualities = cell_qualities(scene, mesh);
-    return qualities.empty() ?
-             -1. :
-             *std::min_element(qualities.begin(), qualities.end());
+    return smallest;
   }
 
 
@@ -262,8 +250,6 @@ namespace Catena
 
 
   template struct MeshDescription<2>;
-  template std::vector<double>
-  cell_qualities(const Scene<2> &, const MeshDescription<2> &);
   template double
   smallest_quality(const Scene<2> &, const MeshDescription<2> &);
   template void
@@ -271,8 +257,6 @@ namespace Catena
   template void
   order_along_curve(MeshDescription<2> &);
   template struct MeshDescription<3>;
-  template std::vector<double>
-  cell_qualities(const Scene<3> &, const MeshDescription<3> &);
   template double
   smallest_quality(const Scene<3> &, const MeshDescription<3> &);
   template void

@@ -127,10 +127,13 @@ namespace Catena
         !std::isfinite(next.flow.pressure.l2_norm()))
       throw SolverError("The flow has values that are not finite: use a "
                         "smaller 'Time/Time step' or a finer mesh.");
-    if (!(change.largest <= (on_a_new_mesh ?
-                               StepError::failing_change_on_a_new_mesh :
-                               StepError::failing_change)) ||
-        !std::isfinite(change.mean))
+    // NaN is not followed either
+    const bool is_followed =
+      on_a_new_mesh ?
+        change.largest <= StepError::failing_change_on_a_new_mesh &&
+          change.mean <= StepError::failing_change :
+        change.largest <= StepError::failing_change;
+    if (!is_followed || !std::isfinite(change.mean))
       {
         std::ostringstream text;
         text << "The log-conformation is off its extrapolation by "

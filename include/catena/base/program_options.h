@@ -87,8 +87,8 @@ namespace Catena
    * stream.
    *
    * @return The exit code: 0 if all went well, 2 if the command line, the
-   *   parameter file, a parameter or a checkpoint was refused, 1 if the run failed, 128
-   *   and the number of the signal if one has ended it.
+   *   parameter file, a parameter or a checkpoint was refused, 1 if the run
+   *   failed, 128 and the number of the signal if one has ended it.
    */
   int
   run_program(int argc, char **argv, const Program &program);

@@ -67,15 +67,8 @@ namespace Catena
 
 
 
-  /**
-   * The qualities of all cells, those with faces on particles curved: see
-   * quadratic_simplex_quality().
-   */
-  template <int dim>
-  std::vector<double>
-  cell_qualities(const Scene<dim> &scene, const MeshDescription<dim> &mesh);
-
-  /// The smallest of them, -1 if there are no cells.
+  /// The smallest quality of the cells, those with faces on particles curved
+  /// (quadratic_simplex_quality()); -1 if there are none.
   template <int dim>
   double
   smallest_quality(const Scene<dim> &scene, const MeshDescription<dim> &mesh);

@@ -39,9 +39,9 @@ namespace Catena
     /// stress is predicted with that extrapolation, and the step fails.
     static constexpr double failing_change = 1.;
 
-    /// The same in the step onto a new mesh. Steep stresses that elements do not
-    /// resolve are not in balance on another mesh: there they jump, however
-    /// short the step is.
+    /// The same at single vertices in the step onto a new mesh, where the former
+    /// limit is that of the mean. Steep stresses that elements do not resolve
+    /// are not in balance on another mesh: they jump, however short the step.
     static constexpr double failing_change_on_a_new_mesh = 5.;
 
     /// of the positions of surfaces [a] and of the log-conformation in the mean
