@@ -61,6 +61,26 @@ namespace Catena
 
 
   template <int dim>
+  std::vector<double>
+  forces_on_particles(const std::vector<Contact<dim>> &contacts,
+                      const std::vector<double>       &forces,
+                      const RigidBodies<dim>          &bodies)
+  {
+    AssertDimension(contacts.size(), forces.size());
+    std::vector<double> result(bodies.n_unknowns(), 0.);
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      {
+        const std::vector<double> rate = contacts[c].rate(bodies);
+        for (unsigned int k = 0; k < result.size(); ++k)
+          result[k] += contacts[c].meshed_share * forces[c] * rate[k] /
+                       bodies.meshed_share(k);
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
   Contacts<dim>::Contacts(const Scene<dim> &scene, const double minimal_gap)
     : scene(scene)
     , minimal_gap(minimal_gap)
@@ -310,6 +330,14 @@ namespace Catena
 
   template struct Contact<2>;
   template struct Contact<3>;
+  template std::vector<double>
+  forces_on_particles<2>(const std::vector<Contact<2>> &,
+                         const std::vector<double> &,
+                         const RigidBodies<2> &);
+  template std::vector<double>
+  forces_on_particles<3>(const std::vector<Contact<3>> &,
+                         const std::vector<double> &,
+                         const RigidBodies<3> &);
   template class Contacts<2>;
   template class Contacts<3>;
 } // namespace Catena

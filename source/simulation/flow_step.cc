@@ -2,6 +2,7 @@
 #include <catena/flow/carreau_stress.h>
 #include <catena/flow/particle_forces.h>
 #include <catena/simulation/flow_step.h>
+#include <catena/simulation/stress_balance.h>
 
 namespace Catena
 {
@@ -33,6 +34,7 @@ namespace Catena
   {
     mesh                   = &new_mesh;
     bodies                 = &new_bodies;
+    held                   = held_in_place;
     preconditioner_instant = Instant();
     prediction.reset();
     motion.reset();
@@ -229,6 +231,36 @@ namespace Catena
                                         next.unresolved_conformation);
     prediction.reset();
     motion.reset();
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  FlowStep<dim>::balance_stress(State<dim>                &state,
+                                const std::vector<double> &forces)
+  {
+    const auto  timer  = run_report.time("balance of a transferred stress");
+    Level<dim> &now    = state.now;
+    Level<dim> &before = state.before;
+    Configuration<dim> at_rest = now.configuration;
+    at_rest.shear_rate         = 0.;
+    mesh->set_positions(now.positions);
+
+    const Giesekus<dim>      fluid(parameters.fluid.giesekus);
+    const StressBalance<dim> balance(*mesh, fluid, now, before.flow.velocity);
+    flow_solver.assemble(at_rest, balance);
+    FlowFields<dim> flow          = imposed_flow(*mesh, at_rest, held);
+    flow.pressure                 = now.flow.pressure;
+    const unsigned int iterations = flow_solver.solve(flow, {}, forces);
+    count_repeated_solves();
+    // that was for another viscosity
+    flow_solver.renew_preconditioner();
+
+    for (PointTensors<dim> *unresolved :
+         {&now.unresolved_conformation, &before.unresolved_conformation})
+      *unresolved = balance.sum(*unresolved, flow.velocity);
+    return iterations;
   }
 
 

@@ -176,6 +176,7 @@ namespace Catena
         next.unresolved_conformation =
           std::move(state.before.unresolved_conformation);
         flow_step.find_unresolved_conformation(next);
+        next.is_balanced = state.last_dt > 0.;
       }
     state.before  = std::move(state.now);
     state.now     = std::move(next);
@@ -358,7 +359,8 @@ namespace Catena
         report.flow_iterations += solve_flow(now, step, mesh().vector_field());
         inject(StepPart::flow, now);
         hold_contacts();
-        state.last_dt = 0.;
+        state.last_dt   = 0.;
+        now.is_balanced = false;
         return true;
       }
     catch (const SolverError &error)
@@ -468,6 +470,30 @@ namespace Catena
     count_attempts();
     remesh_requested = false;
     report.remeshed  = true;
+    if (state.now.is_balanced)
+      {
+        report.flow_iterations +=
+          flow_step.balance_stress(state, present_forces());
+        state.discretization.mesh->set_positions(next.positions);
+      }
+  }
+
+
+
+  /// On the particles, by what holds them and by their contacts.
+  template <int dim>
+  std::vector<double>
+  Simulation<dim>::present_forces() const
+  {
+    const auto candidates = contacts.candidates(state.now.configuration);
+    std::vector<double> forces =
+      forces_on_particles(candidates,
+                          contacts.remembered_forces(candidates),
+                          bodies);
+    const std::vector<double> external = external_forces(state.now.time);
+    for (unsigned int k = 0; k < forces.size(); ++k)
+      forces[k] += external[k];
+    return forces;
   }
 
 

@@ -57,7 +57,7 @@ namespace Catena
   void
   Level<dim>::archive(FieldArchive<dim> &archive)
   {
-    archive(time, configuration);
+    archive(time, configuration, is_balanced);
     archive.vector(positions);
     archive.vector(flow.velocity);
     archive.scalar(flow.pressure);

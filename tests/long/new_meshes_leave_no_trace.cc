@@ -1,7 +1,7 @@
 // A pair held at the smallest gap in a fluid of high elasticity gets a new mesh
 // at ten instants of its turning. In the step with the new mesh its spin and
 // the force in the contact are those of the run without one, on M2 to 0.2 % of
-// gamma and F_S, on M3 to 0.05 % and 0.1 %, the force to 0.05 % in the mean.
+// gamma and F_S, on M3 to 0.05 %.
 
 #include "../verification/new_meshes.h"
 
@@ -32,7 +32,6 @@ main(int argc, char **argv)
     claims.at_most("M2, spin [gamma]", largest(on_m2).spin, 2e-3);
     claims.at_most("M2, force [F_S]", largest(on_m2).force, 2e-3);
     claims.at_most("M3, spin [gamma]", largest(on_m3).spin, 5e-4);
-    claims.at_most("M3, force [F_S]", largest(on_m3).force, 1e-3);
-    claims.at_most("M3, force in the mean [F_S]", mean(on_m3).force, 5e-4);
+    claims.at_most("M3, force [F_S]", largest(on_m3).force, 5e-4);
   });
 }

@@ -168,21 +168,6 @@ namespace Catena
         result = largest(result, trace);
       return result;
     }
-
-
-
-    inline Trace
-    mean(const std::vector<Trace> &traces)
-    {
-      Trace result;
-      for (const Trace &trace : traces)
-        {
-          result.spin += trace.spin / traces.size();
-          result.velocity += trace.velocity / traces.size();
-          result.force += trace.force / traces.size();
-        }
-      return result;
-    }
   } // namespace Tests
 } // namespace Catena
 

@@ -16,8 +16,8 @@ main(int argc, char **argv)
   return run(argc, argv, [](Claims &claims) {
     const Trace trace =
       largest(traces_of_new_meshes(claims, 48, 2, 0.12, {1.08}, 4));
-    claims.at_most("spin [gamma]", trace.spin, 2.5e-3);
-    claims.at_most("velocity [a gamma]", trace.velocity, 4e-3);
-    claims.at_most("force [F_S]", trace.force, 2e-3);
+    claims.at_most("spin [gamma]", trace.spin, 1.2e-3);
+    claims.at_most("velocity [a gamma]", trace.velocity, 1e-3);
+    claims.at_most("force [F_S]", trace.force, 1.5e-3);
   });
 }

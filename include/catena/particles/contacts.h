@@ -62,6 +62,18 @@ namespace Catena
 
 
   /**
+   * The forces of contacts on the whole particles, by rigid-body unknown.
+   * @param forces F_r by contact [eta0 gamma a^2]
+   */
+  template <int dim>
+  std::vector<double>
+  forces_on_particles(const std::vector<Contact<dim>> &contacts,
+                      const std::vector<double>       &forces,
+                      const RigidBodies<dim>          &bodies);
+
+
+
+  /**
    * The smallest gap 2 a d_min between surfaces (Jaensson et al. 2016, section
    * 2.3): of pairs of particles, of particles and images of particles under
    * the rotation, the period and the mirror planes of the scene, and of

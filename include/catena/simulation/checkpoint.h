@@ -57,7 +57,7 @@ namespace Catena
   {
   public:
     /// Increased whenever what is archived changes.
-    static constexpr unsigned int version = 6;
+    static constexpr unsigned int version = 7;
 
     Checkpoint(const std::string &directory, const MPI_Comm communicator);
 

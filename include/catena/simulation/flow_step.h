@@ -56,6 +56,19 @@ namespace Catena
     void
     find_unresolved_conformation(Level<dim> &next);
 
+    /**
+     * Balance the stress of @p state, which has been transferred to this mesh,
+     * by StressBalance at its last instant; that before gets the same addition,
+     * lest it count as a rate. Leaves the mesh at the positions of the last
+     * instant.
+     *
+     * @param forces on the whole particles, by rigid-body unknown
+     * @return number of linear iterations
+     * @throws SolverError
+     */
+    unsigned int
+    balance_stress(State<dim> &state, const std::vector<double> &forces);
+
     /// Make a new preconditioner in the next solve.
     void
     renew_preconditioner()
@@ -97,6 +110,7 @@ namespace Catena
     RunReport                                &run_report;
     MovingMesh<dim>                          *mesh   = nullptr;
     const RigidBodies<dim>                   *bodies = nullptr;
+    bool                                      held   = false;
     FlowSolver<dim>                           flow_solver;
     typename FlowSolver<dim>::RepeatedSolves  counted;
     std::unique_ptr<NonlinearFlowSolver<dim>> nonlinear_solver;

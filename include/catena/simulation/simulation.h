@@ -240,6 +240,9 @@ namespace Catena
     void
     change_mesh(Level<dim> &next, StepReport &report);
 
+    std::vector<double>
+    present_forces() const;
+
     void
     count_attempts();
 

@@ -55,6 +55,10 @@ namespace Catena
     std::vector<VectorType> log_conformation;
     /// c' of StressPrediction; none for a Newtonian fluid and at the start
     PointTensors<dim> unresolved_conformation;
+    /// Is it the end of a step of second order, with a stress of flow and
+    /// conformation that balances the forces? So it is but for the start and
+    /// when the walls have just turned back.
+    bool is_balanced = false;
 
     /// Save or load it.
     void
