@@ -14,7 +14,8 @@ namespace Catena
    * mesh mover tells where its nodes were at the earlier instants. The
    * log-conformation and the velocity of each level are then taken from the
    * old mesh at those places and times: the new mesh has the past it would
-   * have had if it had always been there.
+   * have had if it had always been there. Its stress is to be balanced there,
+   * see StressBalance.
    */
   template <int dim>
   class Remesher
