@@ -34,7 +34,6 @@ namespace Catena
   {
     mesh                   = &new_mesh;
     bodies                 = &new_bodies;
-    held                   = held_in_place;
     preconditioner_instant = Instant();
     prediction.reset();
     motion.reset();
@@ -250,7 +249,7 @@ namespace Catena
     const Giesekus<dim>      fluid(parameters.fluid.giesekus);
     const StressBalance<dim> balance(*mesh, fluid, now, before.flow.velocity);
     flow_solver.assemble(at_rest, balance);
-    FlowFields<dim> flow          = imposed_flow(*mesh, at_rest, held);
+    FlowFields<dim> flow          = imposed_flow(*mesh, at_rest, false);
     flow.pressure                 = now.flow.pressure;
     const unsigned int iterations = flow_solver.solve(flow, {}, forces);
     count_repeated_solves();

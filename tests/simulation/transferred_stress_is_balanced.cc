@@ -2,7 +2,9 @@
 // without solvent: in the step onto a new mesh they turn and are held as in the
 // step on the old one.
 
-#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "../tests.h"
 
@@ -45,12 +47,11 @@ int
 main(int argc, char **argv)
 {
   return Tests::run(argc, argv, [](Tests::Claims &claims) {
-    for (const double beta : {0.5, 0.1, 0.})
+    const std::vector<std::pair<double, std::string>> fluids = {
+      {0.5, "solvent"}, {0.1, "little solvent"}, {0., "no solvent"}};
+    for (const auto &[beta, fluid] : fluids)
       {
-        const Step        without = step(beta, false), with = step(beta, true);
-        const std::string fluid = beta == 0.5 ? "solvent" :
-                                  beta == 0.1 ? "little solvent" :
-                                                "no solvent";
+        const Step without = step(beta, false), with = step(beta, true);
         claims.at_least("a force holds the gap: " + fluid, without.force, 0.5);
         claims.near("the force, " + fluid, with.force, without.force, 0.02);
         claims.at_most("velocities, " + fluid,

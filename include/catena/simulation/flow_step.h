@@ -110,7 +110,6 @@ namespace Catena
     RunReport                                &run_report;
     MovingMesh<dim>                          *mesh   = nullptr;
     const RigidBodies<dim>                   *bodies = nullptr;
-    bool                                      held   = false;
     FlowSolver<dim>                           flow_solver;
     typename FlowSolver<dim>::RepeatedSolves  counted;
     std::unique_ptr<NonlinearFlowSolver<dim>> nonlinear_solver;
