@@ -5,6 +5,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/solver_cg.h>
 
 #include <cmath>

@@ -1,6 +1,7 @@
 #include <catena/base/exceptions.h>
 #include <catena/conformation/strain_rate_projection.h>
 #include <catena/mesh/cell_fields.h>
+#include <catena/mesh/cell_values.h>
 
 #include <deal.II/lac/solver_cg.h>
 

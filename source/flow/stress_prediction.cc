@@ -1,4 +1,5 @@
 #include <catena/flow/stress_prediction.h>
+#include <catena/mesh/cell_fields.h>
 #include <catena/rheology/exponential.h>
 
 #include <algorithm>

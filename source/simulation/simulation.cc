@@ -468,14 +468,17 @@ namespace Catena
       }
     set_up_solvers();
     count_attempts();
-    remesh_requested = false;
-    report.remeshed  = true;
+    report.remeshed = true;
+    // where the balance fails, the next attempt is one on another new mesh
+    remesh_requested = true;
     if (state.now.is_balanced)
       {
+        inject(StepPart::stress_balance, next);
         report.flow_iterations +=
           flow_step.balance_stress(state, present_forces());
         state.discretization.mesh->set_positions(next.positions);
       }
+    remesh_requested = false;
   }
 
 

@@ -8,8 +8,6 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
-#include <deal.II/lac/full_matrix.h>
-
 #include <vector>
 
 namespace Catena

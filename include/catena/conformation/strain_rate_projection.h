@@ -3,7 +3,6 @@
 
 #include <catena/base/types.h>
 #include <catena/conformation/tensor_identification.h>
-#include <catena/mesh/cell_values.h>
 #include <catena/mesh/moving_mesh.h>
 
 #include <vector>

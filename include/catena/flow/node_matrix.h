@@ -2,12 +2,12 @@
 #define catena_flow_node_matrix_h
 
 #include <catena/base/types.h>
-#include <catena/flow/block_pattern.h>
 
 #include <deal.II/base/partitioner.h>
 
 #include <cmath>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace Catena

@@ -1,7 +1,13 @@
 #ifndef catena_flow_particle_forces_h
 #define catena_flow_particle_forces_h
 
-#include <catena/flow/flow_solver.h>
+#include <catena/flow/flow_fields.h>
+#include <catena/flow/stress_model.h>
+#include <catena/mesh/moving_mesh.h>
+#include <catena/particles/rigid_bodies.h>
+#include <catena/scene/configuration.h>
+
+#include <vector>
 
 namespace Catena
 {

@@ -3,7 +3,6 @@
 
 #include <catena/base/time_history.h>
 #include <catena/flow/stress_model.h>
-#include <catena/mesh/cell_fields.h>
 #include <catena/mesh/point_tensors.h>
 #include <catena/rheology/giesekus.h>
 

@@ -3,14 +3,12 @@
 
 #include <catena/scene/image.h>
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 #include <deal.II/base/types.h>
 
 #include <array>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace Catena

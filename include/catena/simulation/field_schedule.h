@@ -5,7 +5,6 @@
 #include <catena/simulation/simulation.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace Catena

@@ -44,6 +44,7 @@ namespace Catena
   {
     mesh_motion,
     mesh_generation,
+    stress_balance,
     flow,
     conformation
   };
@@ -106,9 +107,9 @@ namespace Catena
     /**
      * Called in every part of a step that can fail, before what it gives is
      * used: after the positions of the nodes have been found, before a mesh is
-     * made, after the flow and after the conformation have been found. For
-     * tests, which can throw SolverError and MeshError there and damage the
-     * level.
+     * made, before the stress is balanced on it, after the flow and after the
+     * conformation have been found. For tests, which can throw SolverError and
+     * MeshError there and damage the level.
      */
     using FailureInjection = std::function<void(const StepPart, Level<dim> &)>;
 

@@ -2,7 +2,7 @@
 #define catena_simulation_state_h
 
 #include <catena/base/types.h>
-#include <catena/flow/flow_solver.h>
+#include <catena/flow/flow_fields.h>
 #include <catena/mesh/field_archive.h>
 #include <catena/mesh/mesh_mover.h>
 #include <catena/mesh/moving_mesh.h>
