@@ -76,18 +76,14 @@ record(const Catena::Simulation<3> &simulation,
   motion.last_velocity = old.flow.velocity;
   motion.last_velocity.update_ghost_values();
 
-  const auto &bodies = simulation.rigid_bodies();
-  result.forces      = simulation.external_forces(now.time);
   const auto candidates =
     simulation.contact_set().candidates(now.configuration);
-  for (unsigned int c = 0; c < candidates.size(); ++c)
-    {
-      const auto rate = candidates[c].rate(bodies);
-      for (unsigned int k = 0; k < rate.size(); ++k)
-        result.forces[k] += candidates[c].meshed_share *
-                            now.flow.contact_forces[c] * rate[k] /
-                            bodies.meshed_share(k);
-    }
+  result.forces       = Catena::forces_on_particles(candidates,
+                                              now.flow.contact_forces,
+                                              simulation.rigid_bodies());
+  const auto external = simulation.external_forces(now.time);
+  for (unsigned int k = 0; k < external.size(); ++k)
+    result.forces[k] += external[k];
   return result;
 }
 

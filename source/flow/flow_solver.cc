@@ -223,6 +223,7 @@ namespace Catena
                                 RefinedGmres<dim>::single_precision_share *
                                   wanted,
                                 solution);
+    preconditioner.set_contacts(contacts);
     const auto result =
       RefinedGmres<dim>(*system, contacts, preconditioner)
         .solve(solution, rhs, wanted, parameters.max_iterations);

@@ -22,15 +22,13 @@ namespace Catena
 
 
   template <int dim>
-  RefinedGmres<dim>::RefinedGmres(const FlowSystem<dim>   &system,
-                                  const ContactBlocks     &contacts,
-                                  FlowPreconditioner<dim> &preconditioner)
+  RefinedGmres<dim>::RefinedGmres(const FlowSystem<dim>         &system,
+                                  const ContactBlocks           &contacts,
+                                  const FlowPreconditioner<dim> &preconditioner)
     : system(system)
     , contacts(contacts)
     , preconditioner(preconditioner)
-  {
-    preconditioner.set_contacts(contacts);
-  }
+  {}
 
 
 

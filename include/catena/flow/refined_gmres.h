@@ -22,10 +22,13 @@ namespace Catena
     /// Of the wanted residual, what single precision is to aim at.
     static constexpr double single_precision_share = 0.9;
 
-    /// Takes the contacts over to the preconditioner. References are kept.
-    RefinedGmres(const FlowSystem<dim>   &system,
-                 const ContactBlocks     &contacts,
-                 FlowPreconditioner<dim> &preconditioner);
+    /**
+     * References are kept.
+     * @param preconditioner knows the contacts
+     */
+    RefinedGmres(const FlowSystem<dim>         &system,
+                 const ContactBlocks           &contacts,
+                 const FlowPreconditioner<dim> &preconditioner);
 
     struct Result
     {
