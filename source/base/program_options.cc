@@ -106,12 +106,15 @@ namespace Catena
         Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
       std::cout << std::flush;
 
-      const bool together = all_arrive(MPI_COMM_WORLD);
+      const bool  together = all_arrive(MPI_COMM_WORLD);
+      std::string line;
       if (rank == 0)
-        std::cerr << "Error: " << message << std::endl;
+        line = "Error: " + message + '\n';
       else if (!together)
-        std::cerr << "Error on process " << rank << ": " << message
-                  << std::endl;
+        line =
+          "Error on process " + std::to_string(rank) + ": " + message + '\n';
+      // at once, lest what mpirun says come in between
+      std::cerr << line << std::flush;
 
       if (!together)
         MPI_Abort(MPI_COMM_WORLD, exit_code);
