@@ -76,14 +76,7 @@ record(const Catena::Simulation<3> &simulation,
   motion.last_velocity = old.flow.velocity;
   motion.last_velocity.update_ghost_values();
 
-  const auto candidates =
-    simulation.contact_set().candidates(now.configuration);
-  result.forces       = Catena::forces_on_particles(candidates,
-                                              now.flow.contact_forces,
-                                              simulation.rigid_bodies());
-  const auto external = simulation.external_forces(now.time);
-  for (unsigned int k = 0; k < external.size(); ++k)
-    result.forces[k] += external[k];
+  result.forces = simulation.present_forces();
   return result;
 }
 

@@ -483,7 +483,6 @@ namespace Catena
 
 
 
-  /// On the particles, by what holds them and by their contacts.
   template <int dim>
   std::vector<double>
   Simulation<dim>::present_forces() const

@@ -170,6 +170,11 @@ namespace Catena
     std::vector<double>
     external_forces(const double time) const;
 
+    /// On the particles now, by what holds them and by their contacts, by
+    /// rigid-body unknown.
+    std::vector<double>
+    present_forces() const;
+
     RunReport &
     report()
     {
@@ -240,9 +245,6 @@ namespace Catena
 
     void
     change_mesh(Level<dim> &next, StepReport &report);
-
-    std::vector<double>
-    present_forces() const;
 
     void
     count_attempts();
